@@ -1,0 +1,1 @@
+"""What is true of a mechanism: arrays in, arrays out. SI units throughout."""

@@ -1,0 +1,1 @@
+"""Conditions of a workspace, one file each."""

@@ -1,0 +1,30 @@
+"""Effort: no drive bears more than its limit, whatever the direction of the load."""
+
+import numpy as np
+
+from mechanics.arrays import Floats
+from mechanics.conditions.condition import Breach, Condition
+from mechanics.configuration import Configuration
+from mechanics.effort import worst_efforts
+from mechanics.loads import Load
+from mechanics.mechanism import Mechanism
+
+
+class Effort(Condition):
+    """The greatest effort of each drive is at most its limit, shape (legs,). [N m]"""
+
+    reason = "effort"
+
+    def __init__(self, mechanism: Mechanism, load: Load, limits: Floats) -> None:
+        self.legs = tuple(range(mechanism.leg_count))
+        self._load = load
+        self._limits = limits[:, None]
+
+    def check(self, block: Configuration) -> Floats:
+        """Return how far below its limit each drive's greatest effort is. [N m]"""
+        return self._limits - worst_efforts(block, self._load)
+
+    def explain(self, block: Configuration) -> Breach:
+        """Return the drives' greatest efforts and their limits. [N m]"""
+        values = worst_efforts(block, self._load)
+        return Breach(values, np.broadcast_to(self._limits, values.shape))

@@ -1,0 +1,1 @@
+"""Mechanism families: short functions from dimensions to a mechanism, one file each."""

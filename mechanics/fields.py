@@ -1,0 +1,34 @@
+"""Fields: numbers that a scan keeps for every node inside a workspace."""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+
+from mechanics.arrays import Floats
+from mechanics.configuration import Configuration
+from mechanics.effort import worst_efforts
+from mechanics.loads import Load
+
+Field = Callable[[Configuration], Floats]
+"""A field's values, shape (poses,) or (legs, poses)."""
+
+
+def effort(load: Load) -> Field:
+    """Return the field of each drive's greatest effort, shape (legs, poses). [N m]"""
+    return partial(worst_efforts, load=load)
+
+
+def effort_max(load: Load) -> Field:
+    """Return the field of the greatest effort of any drive, shape (poses,). [N m]"""
+    return lambda block: np.max(worst_efforts(block, load), axis=0)
+
+
+def determinant(block: Configuration) -> Floats:
+    """Return the field of det Jx, shape (poses,)."""
+    return block.determinants
+
+
+def actuators(block: Configuration) -> Floats:
+    """Return the field of the drive coordinates, shape (legs, poses). [rad]"""
+    return block.actuators

@@ -1,0 +1,41 @@
+"""How kernels are compiled, and where their machine code is kept.
+
+Numba notices a change in a kernel's own file only, not in a kernel which that one calls.
+The cache folder is therefore named by a digest of every kernel source and of Numba's
+version: any change makes a new folder, and stale machine code is never met again.
+"""
+
+import hashlib
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def source_digest() -> str:
+    """Return a digest of Numba's version and of all kernel sources."""
+    digest = hashlib.sha256(numba.__version__.encode())
+    for path in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:16]
+
+
+def cache_folder() -> Path:
+    """Return the folder of the machine code that belongs to these sources."""
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+    return (Path(chosen) if chosen else home / "parmech") / f"kernels-{source_digest()}"
+
+
+# Numba reads this when a function is decorated, so it is set before the first kernel.
+setattr(numba.config, "CACHE_DIR", str(cache_folder()))  # noqa: B010  (it has no stub)
+
+
+def kernel(function: F) -> F:
+    """Compile `function` without the GIL, cached on disk; division by zero gives inf or NaN."""
+    # The default error model's zero-division branch stops vectorisation.
+    return numba.njit(function, nogil=True, cache=True, error_model="numpy")  # type: ignore[no-any-return]

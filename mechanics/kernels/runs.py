@@ -1,0 +1,145 @@
+"""Runs along grid lines: consecutive nodes of a line that share a code; 0 means inside.
+
+Flat nodes are counted with the last axis fastest; a line is `line` consecutive flat nodes.
+"""
+
+import numpy as np
+
+from mechanics.arrays import Bytes, Floats, Integers
+from mechanics.kernels.compiling import kernel
+
+
+@kernel
+def encode(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
+    """Return codes and lengths of the runs of these nodes, the first of which is `start`."""
+    count = 0
+    for i in range(codes.size):
+        if i == 0 or codes[i] != codes[i - 1] or (start + i) % line == 0:
+            count += 1
+    values = np.empty(count, np.uint8)
+    lengths = np.zeros(count, np.int64)
+    run = -1
+    for i in range(codes.size):
+        if i == 0 or codes[i] != codes[i - 1] or (start + i) % line == 0:
+            run += 1
+            values[run] = codes[i]
+        lengths[run] += 1
+    return values, lengths
+
+
+@kernel
+def join(codes: Bytes, lengths: Integers, line: int) -> tuple[Bytes, Integers]:
+    """Return the runs of a whole grid with those joined that tiles have cut within a line."""
+    joined_codes = np.empty_like(codes)
+    joined_lengths = np.empty_like(lengths)
+    last = -1
+    node = 0
+    for run in range(codes.size):
+        if last >= 0 and node % line != 0 and joined_codes[last] == codes[run]:
+            joined_lengths[last] += lengths[run]
+        else:
+            last += 1
+            joined_codes[last] = codes[run]
+            joined_lengths[last] = lengths[run]
+        node += lengths[run]
+    return joined_codes[: last + 1], joined_lengths[: last + 1]
+
+
+@kernel
+def faces(starts: Integers, stops: Integers, shape: Integers) -> int:
+    """Return how many pairs of neighbouring nodes have one inside and one outside.
+
+    `starts` and `stops` are the flat bounds of the runs inside, in order.
+    """
+    line = shape[-1]
+    total = 0
+    for run in range(starts.size):
+        total += starts[run] % line != 0
+        total += stops[run] % line != 0
+    stride = 1
+    for axis in range(shape.size - 2, -1, -1):
+        stride *= shape[axis + 1]
+        other = 0
+        for run in range(starts.size):
+            length = stops[run] - starts[run]
+            index = starts[run] // stride % shape[axis]
+            total += length * ((index > 0) + (index + 1 < shape[axis]))
+            if index > 0:
+                a, b = starts[run] - stride, stops[run] - stride
+                while stops[other] <= a:
+                    other += 1
+                k = other
+                while k < run and starts[k] < b:
+                    total -= 2 * (min(b, stops[k]) - max(a, starts[k]))
+                    k += 1
+    return total
+
+
+@kernel
+def root_of(parents: Integers, run: int) -> int:
+    """Return the representative of a run's component, halving the path to it."""
+    while parents[run] != run:
+        parents[run] = parents[parents[run]]
+        run = parents[run]
+    return run
+
+
+@kernel
+def connect(starts: Integers, stops: Integers, shape: Integers) -> Integers:
+    """Return for each run inside the number of its component; neighbours share a cell's face."""
+    parents = np.arange(starts.size)
+    stride = 1
+    for axis in range(shape.size - 2, -1, -1):
+        stride *= shape[axis + 1]
+        other = 0
+        for run in range(starts.size):
+            if starts[run] // stride % shape[axis] == 0:
+                continue
+            a, b = starts[run] - stride, stops[run] - stride
+            while stops[other] <= a:
+                other += 1
+            k = other
+            while k < run and starts[k] < b:
+                one, two = root_of(parents, run), root_of(parents, k)
+                parents[max(one, two)] = min(one, two)
+                k += 1
+    numbers = np.empty(starts.size, np.int64)
+    count = 0
+    for run in range(starts.size):
+        root = root_of(parents, run)
+        if root == run:
+            numbers[run] = count
+            count += 1
+        else:
+            numbers[run] = numbers[root]
+    return numbers
+
+
+@kernel
+def extents(
+    starts: Integers, stops: Integers, shape: Integers, numbers: Integers, count: int
+) -> tuple[Integers, Integers, Integers, Floats]:
+    """Return nodes, least and greatest indices and sums of indices of every component.
+
+    Shapes (components,), (components, axes) twice, and (components, axes).
+    """
+    axes = shape.size
+    nodes = np.zeros(count, np.int64)
+    least = np.empty((count, axes), np.int64)
+    greatest = np.full((count, axes), -1, np.int64)
+    sums = np.zeros((count, axes))
+    for k in range(axes):
+        least[:, k] = shape[k]
+    for run in range(starts.size):
+        c = numbers[run]
+        length = stops[run] - starts[run]
+        nodes[c] += length
+        rest = starts[run]
+        for k in range(axes - 1, -1, -1):
+            first = rest % shape[k]
+            last = first + length - 1 if k == axes - 1 else first
+            rest //= shape[k]
+            least[c, k] = min(least[c, k], first)
+            greatest[c, k] = max(greatest[c, k], last)
+            sums[c, k] += length * 0.5 * (first + last)
+    return nodes, least, greatest, sums
