@@ -1,0 +1,1 @@
+"""What travels over the wire: models, canonical form, presets, examples."""

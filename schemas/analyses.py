@@ -1,0 +1,26 @@
+"""All analyses on the wire, by their discriminator `analysis`."""
+
+from typing import Annotated
+
+from pydantic import Field, TypeAdapter
+
+from schemas.effort import EffortRequest, EffortResult
+from schemas.inverse_kinematics import (
+    InverseKinematicsAllModesResult,
+    InverseKinematicsRequest,
+    InverseKinematicsResult,
+)
+from schemas.workspace import WorkspaceRequest, WorkspaceResult
+
+Request = InverseKinematicsRequest | EffortRequest | WorkspaceRequest
+AnalysisRequest = Annotated[Request, Field(discriminator="analysis")]
+AnalysisResult = (
+    InverseKinematicsResult | InverseKinematicsAllModesResult | EffortResult | WorkspaceResult
+)
+
+_REQUESTS: TypeAdapter[Request] = TypeAdapter(AnalysisRequest)
+
+
+def parse_request(text: str) -> Request:
+    """Return the request of a canonical JSON text."""
+    return _REQUESTS.validate_json(text)

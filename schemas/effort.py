@@ -1,0 +1,84 @@
+"""`effort`: what the drives must bear under a load on the platform."""
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from schemas.mechanisms import Mechanism, WorkingMode
+from schemas.poses import Obstacle, Poses
+from schemas.quantities import Finite, Model, Size
+
+
+def _shape(value: Any) -> str:  # noqa: ANN401
+    """Return which of the two forms is meant, so that errors speak of that one alone."""
+    return "rows" if isinstance(value, list) and value and isinstance(value[0], list) else "vector"
+
+
+Vector = Annotated[list[Finite], Field(min_length=3, max_length=3)]
+Rows = Annotated[list[Vector], Field(min_length=1)]
+Vectors = Annotated[
+    Annotated[Vector, Tag("vector")] | Annotated[Rows, Tag("rows")], Discriminator(_shape)
+]
+
+
+class LoadSize(Model):
+    """A load whose size is known and whose direction is not."""
+
+    force: Size = Field(default=0.0, description="Size of the force on the reference point. [N]")
+    moment: Size = Field(default=0.0, description="Size of the moment. [N m]")
+
+
+class KnownLoad(Model):
+    """A load of known direction, in the base frame: one for all poses, or one row per pose."""
+
+    force: Vectors | None = Field(
+        default=None, description="On the reference point; none by default. [N]"
+    )
+    moment: Vectors | None = Field(
+        default=None, description="About the reference point; none by default. [N m]"
+    )
+
+
+class EffortRequest(Model):
+    """Ask for drive efforts at poses; `load`, `known_load` or both must be given.
+
+    With `load` the answer is the greatest effort over all directions of its force and its
+    moment (each in its own worst direction), on top of `known_load`; with `known_load` alone
+    it is the signed effort.
+    """
+
+    analysis: Literal["effort"]
+    mechanism: Mechanism
+    poses: Poses
+    load: LoadSize | None = None
+    known_load: KnownLoad | None = None
+    working_mode: WorkingMode | None = Field(
+        default=None,
+        description="A branch of the inverse solution; by default the mechanism's own.",
+    )
+
+    @model_validator(mode="after")
+    def _some_load(self) -> Self:
+        if self.load is None and self.known_load is None:
+            raise ValueError("give load, known_load or both")
+        return self
+
+
+class EffortResult(Model):
+    """Efforts of the drives, shape (poses, legs); null rows where there is none."""
+
+    analysis: Literal["effort"]
+    working_mode: WorkingMode
+    units: list[str] = Field(description="Unit of each drive's effort.")
+    effort: list[list[float | None]] = Field(
+        description="Greatest effort, not below 0, with load; signed with known_load alone."
+    )
+    worst_force: list[list[list[float] | None]] | None = Field(
+        description="Shape (poses, legs, 3): the force that asks most of the drive; null "
+        "without load. [N]"
+    )
+    worst_moment: list[list[list[float] | None]] | None = Field(
+        description="Shape (poses, legs, 3): the moment that asks most of the drive; null "
+        "without load. [N m]"
+    )
+    obstacles: list[Obstacle]
