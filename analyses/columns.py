@@ -1,0 +1,27 @@
+"""From arrays to the columns of an answer."""
+
+from typing import Any
+
+import numpy as np
+
+from mechanics.arrays import Floats
+
+
+def nullable(values: Floats) -> list[Any]:
+    """Return the values as nested lists with None where there is no number."""
+    cells = values.astype(object)
+    cells[np.isnan(values)] = None
+    rows: list[Any] = cells.tolist()
+    return rows
+
+
+def nullable_vectors(values: Floats) -> list[Any]:
+    """Return vectors, on the last axis, as lists; None for a vector without numbers."""
+    missing = np.isnan(values).any(axis=-1)
+    rows: list[Any] = values.tolist()
+    for index in np.argwhere(missing):
+        target = rows
+        for k in index[:-1]:
+            target = target[k]
+        target[index[-1]] = None
+    return rows

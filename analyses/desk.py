@@ -1,0 +1,80 @@
+"""The desk at which requests arrive: each is handed to the analysis that answers it."""
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+from analyses.analysis import Analysis, Arrays
+from analyses.effort import Effort
+from analyses.inverse_kinematics import InverseKinematics
+from analyses.kinds import kinds
+from analyses.plan import Plan
+from analyses.workspace import Workspace
+from schemas.analyses import Request, parse_request
+from schemas.estimates import Estimate
+from schemas.examples import EXAMPLES
+from schemas.kinds import Kind
+from schemas.quantities import Model
+
+ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
+    {analysis.name: analysis for analysis in (InverseKinematics(), Effort(), Workspace())}
+)
+
+
+def parse(text: str) -> Request:
+    """Return the request of a canonical JSON text."""
+    return parse_request(text)
+
+
+def check(request: Request, node_limit: int) -> None:
+    """Raise AnalysisError if the request makes no sense; nothing large is allocated."""
+    ANALYSES[request.analysis].check(request, node_limit)
+
+
+def estimate(request: Request, synchronous_seconds: float) -> Estimate:
+    """Return what a checked request would cost, and how it would be answered."""
+    analysis = ANALYSES[request.analysis]
+    seconds = analysis.seconds(request)
+    return Estimate(
+        nodes=analysis.items(request),
+        seconds=seconds,
+        bytes=analysis.result_bytes(request),
+        mode="sync" if seconds <= synchronous_seconds else "job",
+    )
+
+
+def plan(request: Request, tile_seconds: float) -> Plan:
+    """Return how a checked request is cut into tiles."""
+    return ANALYSES[request.analysis].plan(request, tile_seconds)
+
+
+def compute(request: Request, start: int, stop: int) -> Arrays:
+    """Return the arrays of the items `start` to `stop` of a checked request."""
+    return ANALYSES[request.analysis].compute(request, start, stop)
+
+
+def assemble(request: Request, stretches: Iterable[Arrays]) -> Model:
+    """Return the result from the arrays of all tiles, in order."""
+    return ANALYSES[request.analysis].assemble(request, stretches)
+
+
+def answer(request: Request) -> Model:
+    """Return the result of a checked request at once."""
+    whole = compute(request, 0, ANALYSES[request.analysis].items(request))
+    return assemble(request, [whole])
+
+
+def has_grid(analysis: str) -> bool:
+    """Return whether an analysis makes arrays over a grid."""
+    return analysis == Workspace.name
+
+
+def offered_kinds() -> list[Kind]:
+    """Return the mechanism families with what can be asked of them."""
+    return kinds(list(ANALYSES))
+
+
+def warm() -> None:
+    """Answer every worked example, so that all kernels are compiled and loaded."""
+    for example in EXAMPLES:
+        answer(example.request)

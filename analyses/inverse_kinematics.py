@@ -1,0 +1,108 @@
+"""Inverse kinematics: which drive positions hold a pose, in one working mode or in all."""
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from analyses.analysis import Analysis, Arrays, joined
+from analyses.columns import nullable
+from analyses.mechanisms import build
+from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.units import drive_units
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+from schemas.inverse_kinematics import (
+    InverseKinematicsAllModesResult,
+    InverseKinematicsRequest,
+    InverseKinematicsResult,
+    ObstacleInMode,
+)
+from schemas.poses import Obstacle
+from schemas.quantities import Model
+
+SECONDS_PER_LEG = 1e-6
+BYTES_PER_NUMBER = 22
+"""A float of full precision in JSON, with its separator."""
+
+
+class InverseKinematics(Analysis[InverseKinematicsRequest]):
+    """Answers `inverse_kinematics`."""
+
+    name = "inverse_kinematics"
+
+    def check(self, request: InverseKinematicsRequest, node_limit: int) -> None:
+        """Raise AnalysisError if a pose or the working mode does not fit the mechanism."""
+        check_poses(_mechanism(request), request.poses)
+
+    def items(self, request: InverseKinematicsRequest) -> int:
+        """Return the number of poses."""
+        return len(request.poses)
+
+    def seconds_per_item(self, request: InverseKinematicsRequest) -> float:
+        """Return the cost of a pose in all modes asked. [s]"""
+        return SECONDS_PER_LEG * _mechanism(request).leg_count * len(_modes(request))
+
+    def result_bytes(self, request: InverseKinematicsRequest) -> int:
+        """Return the size of the drive coordinates in JSON. [B]"""
+        numbers = len(request.poses) * _mechanism(request).leg_count * len(_modes(request))
+        return numbers * BYTES_PER_NUMBER
+
+    def compute(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
+        """Return drive coordinates, verdicts and obstacles of the poses `start` to `stop`."""
+        mechanism = _mechanism(request)
+        poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
+        parts = []
+        for number, mode in enumerate(_modes(request)):
+            block = Configuration(mechanism.in_working_mode(tuple(mode)), poses)
+            conditions = pose_conditions(block.mechanism)
+            found = obstacles(block, conditions, start)
+            parts.append(
+                {
+                    "actuators": block.actuators.T[:, None],
+                    "reachable": holds(block, conditions)[:, None],
+                    "obstacle_mode": np.full(found["obstacle_pose"].size, number),
+                    **found,
+                }
+            )
+        return joined(parts, {"actuators": 1, "reachable": 1})
+
+    def assemble(self, request: InverseKinematicsRequest, stretches: Iterable[Arrays]) -> Model:
+        """Return the columns of all poses."""
+        arrays = joined(stretches)
+        rows = obstacle_rows(arrays)
+        units = drive_units(_mechanism(request))
+        actuators = np.moveaxis(arrays["actuators"], 1, 0)
+        reachable = arrays["reachable"].T
+        if request.working_mode != "all":
+            return InverseKinematicsResult.model_construct(
+                analysis=self.name,
+                working_mode=_modes(request)[0],
+                units=units,
+                reachable=reachable[0].tolist(),
+                actuators=nullable(actuators[0]),
+                obstacles=[Obstacle.model_construct(**row) for row in rows],
+            )
+        modes = arrays["obstacle_mode"].tolist()
+        return InverseKinematicsAllModesResult.model_construct(
+            analysis=self.name,
+            working_modes=_modes(request),
+            units=units,
+            reachable=reachable.tolist(),
+            actuators=nullable(actuators),
+            obstacles=[
+                ObstacleInMode.model_construct(mode=mode, **row)
+                for mode, row in zip(modes, rows, strict=True)
+            ],
+        )
+
+
+def _mechanism(request: InverseKinematicsRequest) -> Mechanism:
+    mode = request.working_mode
+    return build(request.mechanism, None if mode == "all" else mode)
+
+
+def _modes(request: InverseKinematicsRequest) -> list[list[int]]:
+    mechanism = _mechanism(request)
+    if request.working_mode == "all":
+        return [list(mode) for mode in mechanism.working_modes]
+    return [signs(mechanism.legs.working_mode)]

@@ -1,0 +1,115 @@
+"""Poses of a request: their check, and the obstacles that keep a mechanism from them."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analyses.analysis import Arrays
+from analyses.errors import AnalysisError
+from mechanics.arrays import Booleans, Floats
+from mechanics.conditions.actuator_limits import ActuatorLimits
+from mechanics.conditions.condition import Condition
+from mechanics.conditions.reach import Reach
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+
+NO_LEG = -1
+"""The leg of an obstacle that all legs make together."""
+
+ITEM_ARRAYS = ("pose", "leg", "reason", "value", "limit")
+REASONS = ("reach", "actuator_limits", "singularity")
+
+
+def check_poses(mechanism: Mechanism, poses: Sequence[Sequence[float]]) -> None:
+    """Raise AnalysisError naming the first pose with another number of coordinates."""
+    names = mechanism.motion.coordinates
+    for row, pose in enumerate(poses):
+        if len(pose) != len(names):
+            raise AnalysisError(
+                (
+                    f"/poses/{row}",
+                    f"must have {len(names)} numbers ({', '.join(names)}); given {len(pose)}",
+                )
+            )
+
+
+def pose_conditions(mechanism: Mechanism) -> tuple[Condition, Condition]:
+    """Return what a pose must meet for the drives to hold it."""
+    return Reach(mechanism), ActuatorLimits(mechanism)
+
+
+def holds(block: Configuration, conditions: Sequence[Condition]) -> Booleans:
+    """Return, shape (poses,), whether every condition holds."""
+    verdicts = [np.all(condition.check(block) >= 0.0, axis=0) for condition in conditions]
+    every: Booleans = np.logical_and.reduce(verdicts)
+    return every
+
+
+def obstacles(
+    block: Configuration, conditions: Sequence[Condition], start: int, *, singular: bool = False
+) -> Arrays:
+    """Return one entry per pose and leg at which a condition fails, ordered by pose.
+
+    The arrays are those of `ITEM_ARRAYS`, prefixed `obstacle_`; `start` is added to the poses.
+    With `singular` also the poses that all legs reach and where det Jx is 0.
+    """
+    found = [_breaches(block, condition) for condition in conditions]
+    if singular:
+        found.append(_singularities(block))
+    columns = [np.concatenate(parts) for parts in zip(*found, strict=True)]
+    order = np.argsort(columns[0], kind="stable")
+    columns[0] = columns[0] + start
+    return {
+        f"obstacle_{name}": column[order] for name, column in zip(ITEM_ARRAYS, columns, strict=True)
+    }
+
+
+def _breaches(block: Configuration, condition: Condition) -> tuple[NDArray[Any], ...]:
+    # Strictly below zero: a leg that cannot reach has no drive to hold against limits.
+    broken = condition.check(block) < 0.0
+    at: Booleans = np.any(broken, axis=0)
+    if not at.any():
+        return _entries(*(np.empty(0),) * 5)
+    breach = condition.explain(block.take(at))
+    part, pose = np.nonzero(broken[:, at])
+    return _entries(
+        np.flatnonzero(at)[pose],
+        np.array(condition.legs)[part],
+        np.full(part.size, REASONS.index(condition.reason)),
+        breach.value[part, pose],
+        breach.limit[part, pose],
+    )
+
+
+def _singularities(block: Configuration) -> tuple[NDArray[Any], ...]:
+    pose = np.flatnonzero(block.determinants == 0.0)
+    nothing = np.zeros(pose.size)
+    legs = np.full(pose.size, NO_LEG)
+    return _entries(pose, legs, np.full(pose.size, REASONS.index("singularity")), nothing, nothing)
+
+
+def _entries(*columns: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+    types = (np.int64, np.int64, np.uint8, np.float64, np.float64)
+    return tuple(c.astype(t) for c, t in zip(columns, types, strict=True))
+
+
+def obstacle_rows(arrays: Arrays) -> list[dict[str, Any]]:
+    """Return the obstacles as rows of an answer."""
+    columns = [arrays[f"obstacle_{name}"].tolist() for name in ITEM_ARRAYS]
+    return [
+        {
+            "pose": pose,
+            "leg": None if leg == NO_LEG else leg,
+            "reason": REASONS[reason],
+            "value": value,
+            "limit": limit,
+        }
+        for pose, leg, reason, value, limit in zip(*columns, strict=True)
+    ]
+
+
+def signs(mode: Floats) -> list[int]:
+    """Return a working mode as whole numbers."""
+    return [int(sign) for sign in mode]

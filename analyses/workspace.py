@@ -1,0 +1,180 @@
+"""Workspace: where the platform can be, and why not elsewhere."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from analyses.analysis import Analysis, Arrays
+from analyses.poses import signs
+from analyses.units import coordinate_units, power_unit
+from analyses.workspace_fields import FieldSummaries
+from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
+from mechanics import regions
+from mechanics.arrays import Floats
+from mechanics.workspace import reason_codes, scan
+from schemas.quantities import Model
+from schemas.workspace import (
+    Bounds,
+    Component,
+    Excluded,
+    Measure,
+    WorkspaceRequest,
+    WorkspaceResult,
+)
+
+COMPONENTS_LISTED = 100
+SECONDS_PER_NODE = 1.5e-7
+SECONDS_PER_LEG = {
+    "reach": 2e-8,
+    "actuator_limits": 6e-8,
+    "crank_rod_angle": 4e-8,
+    "rod_rod_angle": 8e-8,
+    "effort": 1.2e-7,
+}
+FIELD_PREFIX = "field_"
+
+
+class Workspace(Analysis[WorkspaceRequest]):
+    """Answers `workspace`."""
+
+    name = "workspace"
+
+    def check(self, request: WorkspaceRequest, node_limit: int) -> None:
+        """Raise AnalysisError if the request makes no sense for its mechanism."""
+        check_request(request, node_limit)
+
+    def items(self, request: WorkspaceRequest) -> int:
+        """Return the number of grid nodes."""
+        return set_up(request).grid.size
+
+    def line(self, request: WorkspaceRequest) -> int:
+        """Return the length of a grid line."""
+        return set_up(request).grid.shape[-1]
+
+    def seconds_per_item(self, request: WorkspaceRequest) -> float:
+        """Return the cost of a node that meets every condition. [s]"""
+        setup = set_up(request)
+        names = [condition.reason for condition in setup.conditions]
+        if any("effort" in name for name in setup.fields):
+            names.append("effort")
+        per_leg = sum(SECONDS_PER_LEG[name] for name in names)
+        return SECONDS_PER_NODE + setup.mechanism.leg_count * per_leg
+
+    def result_bytes(self, request: WorkspaceRequest) -> int:
+        """Return the size of the dense arrays. [B]"""
+        setup = set_up(request)
+        widths = [field_width(name, setup.mechanism.leg_count) for name in setup.fields]
+        return setup.grid.size * (2 + 8 * sum(widths))
+
+    def compute(self, request: WorkspaceRequest, start: int, stop: int) -> Arrays:
+        """Return runs and fields of the nodes `start` to `stop`."""
+        s = set_up(request)
+        found = scan(s.mechanism, s.conditions, s.grid, s.fields, start, stop)
+        fields = {FIELD_PREFIX + name: values for name, values in found.fields.items()}
+        return {"codes": found.codes, "lengths": found.lengths, **fields}
+
+    def assemble(self, request: WorkspaceRequest, stretches: Iterable[Arrays]) -> Model:
+        """Return what the whole grid amounts to."""
+        setup = set_up(request)
+        summaries = FieldSummaries(setup, field_units(request, setup.mechanism))
+        codes, lengths = [], []
+        for arrays in stretches:
+            summaries.add(arrays)
+            codes.append(arrays["codes"])
+            lengths.append(arrays["lengths"])
+        region = regions.Region(setup.grid, np.concatenate(codes), np.concatenate(lengths))
+        return WorkspaceResult.model_construct(
+            analysis=self.name,
+            class_=request.class_,
+            type=request.type,
+            working_mode=signs(setup.mechanism.legs.working_mode),
+            shape=list(setup.grid.shape),
+            nodes=setup.grid.size,
+            fields=summaries.answer(),
+            excluded=_excluded(setup, region),
+            **_extent(setup, region),
+        )
+
+
+def field_width(name: str, legs: int) -> int:
+    """Return how many numbers a field has per node."""
+    return legs if name in ("effort", "actuators") else 1
+
+
+def _extent(setup: WorkspaceSetup, region: regions.Region) -> dict[str, Any]:
+    components = region.components
+    whole = _whole(components)
+    return {
+        "inside": region.nodes,
+        "measure": Measure.model_construct(
+            value=region.measure,
+            unit=power_unit(_axis_units(setup)),
+            error_bound=region.measure_error,
+            rigorous=False,
+        ),
+        "bounds": [] if whole is None else _bounds(setup, whole),
+        "centroid": None if whole is None else _named(setup, whole.centroid),
+        "components": [_component(setup, c) for c in components[:COMPONENTS_LISTED]],
+        "component_count": len(components),
+    }
+
+
+def _whole(components: list[regions.Component]) -> regions.Component | None:
+    if not components:
+        return None
+    nodes = np.array([c.nodes for c in components])
+    centroids = np.array([c.centroid for c in components])
+    return regions.Component(
+        int(nodes.sum()),
+        np.min([c.minimum for c in components], axis=0),
+        np.max([c.maximum for c in components], axis=0),
+        nodes @ centroids / nodes.sum(),
+    )
+
+
+def _component(setup: WorkspaceSetup, part: regions.Component) -> Component:
+    return Component.model_construct(
+        nodes=part.nodes,
+        measure=part.nodes * setup.grid.cell,
+        bounds=_bounds(setup, part),
+        centroid=_named(setup, part.centroid),
+    )
+
+
+def _bounds(setup: WorkspaceSetup, part: regions.Component) -> list[Bounds]:
+    return [
+        Bounds.model_construct(
+            coordinate=axis.coordinate,
+            min=float(least),
+            max=float(greatest),
+            clipped=bool(
+                least < axis.minimum + 0.5 * axis.step
+                or greatest > axis.nodes[-1] - 0.5 * axis.step
+            ),
+        )
+        for axis, least, greatest in zip(setup.grid.axes, part.minimum, part.maximum, strict=True)
+    ]
+
+
+def _named(setup: WorkspaceSetup, numbers: Floats) -> dict[str, float]:
+    return {
+        axis.coordinate: float(number)
+        for axis, number in zip(setup.grid.axes, numbers, strict=True)
+    }
+
+
+def _axis_units(setup: WorkspaceSetup) -> list[str]:
+    motion = setup.mechanism.motion
+    units = dict(zip(motion.coordinates, coordinate_units(motion), strict=True))
+    return [units[axis.coordinate] for axis in setup.grid.axes]
+
+
+def _excluded(setup: WorkspaceSetup, region: regions.Region) -> list[Excluded]:
+    counts = region.nodes_by_code()
+    return [
+        Excluded.model_construct(
+            code=entry.code, reason=entry.reason, leg=entry.leg, nodes=int(counts[entry.code])
+        )
+        for entry in reason_codes(setup.conditions)
+    ]
