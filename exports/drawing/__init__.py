@@ -1,0 +1,1 @@
+"""How figures are drawn; everything that needs the plotting library."""
