@@ -1,0 +1,197 @@
+from http import HTTPStatus
+from typing import Any
+
+import httpx
+
+from ... import errors
+from ...client import AuthenticatedClient, Client
+from ...models.effort_request import EffortRequest
+from ...models.estimate import Estimate
+from ...models.inverse_kinematics_request import InverseKinematicsRequest
+from ...models.problem import Problem
+from ...models.workspace_request import WorkspaceRequest
+from ...types import Response
+
+
+def _get_kwargs(
+    *,
+    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+) -> dict[str, Any]:
+    headers: dict[str, Any] = {}
+
+    _kwargs: dict[str, Any] = {
+        "method": "post",
+        "url": "/v1/estimates",
+    }
+
+    if isinstance(body, InverseKinematicsRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, EffortRequest):
+        _kwargs["json"] = body.to_dict()
+    else:
+        _kwargs["json"] = body.to_dict()
+
+    headers["Content-Type"] = "application/json"
+
+    _kwargs["headers"] = headers
+    return _kwargs
+
+
+def _parse_response(*, client: AuthenticatedClient | Client, response: httpx.Response) -> Estimate | Problem | None:
+    if response.status_code == 200:
+        response_200 = Estimate.from_dict(response.json())
+
+        return response_200
+
+    if response.status_code == 400:
+        response_400 = Problem.from_dict(response.json())
+
+        return response_400
+
+    if response.status_code == 413:
+        response_413 = Problem.from_dict(response.json())
+
+        return response_413
+
+    if response.status_code == 415:
+        response_415 = Problem.from_dict(response.json())
+
+        return response_415
+
+    if response.status_code == 422:
+        response_422 = Problem.from_dict(response.json())
+
+        return response_422
+
+    if response.status_code == 503:
+        response_503 = Problem.from_dict(response.json())
+
+        return response_503
+
+    if client.raise_on_unexpected_status:
+        raise errors.UnexpectedStatus(response.status_code, response.content)
+    else:
+        return None
+
+
+def _build_response(*, client: AuthenticatedClient | Client, response: httpx.Response) -> Response[Estimate | Problem]:
+    return Response(
+        status_code=HTTPStatus(response.status_code),
+        content=response.content,
+        headers=response.headers,
+        parsed=_parse_response(client=client, response=response),
+    )
+
+
+def sync_detailed(
+    *,
+    client: AuthenticatedClient | Client,
+    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+) -> Response[Estimate | Problem]:
+    """Estimate
+
+     Say what an analysis would cost and how it would be answered, before anyone pays.
+
+    Args:
+        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Response[Estimate | Problem]
+    """
+
+    kwargs = _get_kwargs(
+        body=body,
+    )
+
+    response = client.get_httpx_client().request(
+        **kwargs,
+    )
+
+    return _build_response(client=client, response=response)
+
+
+def sync(
+    *,
+    client: AuthenticatedClient | Client,
+    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+) -> Estimate | Problem | None:
+    """Estimate
+
+     Say what an analysis would cost and how it would be answered, before anyone pays.
+
+    Args:
+        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Estimate | Problem
+    """
+
+    return sync_detailed(
+        client=client,
+        body=body,
+    ).parsed
+
+
+async def asyncio_detailed(
+    *,
+    client: AuthenticatedClient | Client,
+    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+) -> Response[Estimate | Problem]:
+    """Estimate
+
+     Say what an analysis would cost and how it would be answered, before anyone pays.
+
+    Args:
+        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Response[Estimate | Problem]
+    """
+
+    kwargs = _get_kwargs(
+        body=body,
+    )
+
+    response = await client.get_async_httpx_client().request(**kwargs)
+
+    return _build_response(client=client, response=response)
+
+
+async def asyncio(
+    *,
+    client: AuthenticatedClient | Client,
+    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+) -> Estimate | Problem | None:
+    """Estimate
+
+     Say what an analysis would cost and how it would be answered, before anyone pays.
+
+    Args:
+        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+
+    Raises:
+        errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
+        httpx.TimeoutException: If the request takes longer than Client.timeout.
+
+    Returns:
+        Estimate | Problem
+    """
+
+    return (
+        await asyncio_detailed(
+            client=client,
+            body=body,
+        )
+    ).parsed

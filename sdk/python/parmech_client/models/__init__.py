@@ -1,0 +1,139 @@
+"""Contains all the data models used in inputs/outputs"""
+
+from .actuator_limit import ActuatorLimit
+from .bounds import Bounds
+from .component import Component
+from .component_centroid import ComponentCentroid
+from .constructive import Constructive
+from .effective import Effective
+from .effort_request import EffortRequest
+from .effort_request_working_mode_type_0_item import EffortRequestWorkingModeType0Item
+from .effort_result import EffortResult
+from .effort_result_working_mode_item import EffortResultWorkingModeItem
+from .estimate import Estimate
+from .estimate_mode import EstimateMode
+from .excluded import Excluded
+from .excluded_reason import ExcludedReason
+from .field_fault import FieldFault
+from .field_problem import FieldProblem
+from .field_summary import FieldSummary
+from .field_summary_at_max_type_0 import FieldSummaryAtMaxType0
+from .five_bar import FiveBar
+from .five_bar_working_mode_type_0_item import FiveBarWorkingModeType0Item
+from .get_figure_format_type_0 import GetFigureFormatType0
+from .get_grid_format_type_0 import GetGridFormatType0
+from .grid_axis import GridAxis
+from .health import Health
+from .inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
+from .inverse_kinematics_all_modes_result_working_modes_item_item import (
+    InverseKinematicsAllModesResultWorkingModesItemItem,
+)
+from .inverse_kinematics_request import InverseKinematicsRequest
+from .inverse_kinematics_request_working_mode_type_0_item import InverseKinematicsRequestWorkingModeType0Item
+from .inverse_kinematics_result import InverseKinematicsResult
+from .inverse_kinematics_result_working_mode_item import InverseKinematicsResultWorkingModeItem
+from .job import Job
+from .job_error import JobError
+from .job_error_kind import JobErrorKind
+from .job_page import JobPage
+from .job_state import JobState
+from .kind import Kind
+from .kind_json_schema import KindJsonSchema
+from .kind_page import KindPage
+from .known_load import KnownLoad
+from .links import Links
+from .list_jobs_state_type_0 import ListJobsStateType0
+from .load_size import LoadSize
+from .measure import Measure
+from .mechanism_page import MechanismPage
+from .obstacle import Obstacle
+from .obstacle_in_mode import ObstacleInMode
+from .obstacle_in_mode_reason import ObstacleInModeReason
+from .obstacle_reason import ObstacleReason
+from .planar_3rrr import Planar3RRR
+from .planar_3rrr_working_mode_type_0_item import Planar3RRRWorkingModeType0Item
+from .preset import Preset
+from .problem import Problem
+from .progress import Progress
+from .readiness import Readiness
+from .stored_mechanism import StoredMechanism
+from .stored_mechanism_document import StoredMechanismDocument
+from .workspace_request import WorkspaceRequest
+from .workspace_request_class import WorkspaceRequestClass
+from .workspace_request_fields_item import WorkspaceRequestFieldsItem
+from .workspace_request_fixed import WorkspaceRequestFixed
+from .workspace_request_working_mode_type_0_item import WorkspaceRequestWorkingModeType0Item
+from .workspace_result import WorkspaceResult
+from .workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
+from .workspace_result_class import WorkspaceResultClass
+from .workspace_result_fields import WorkspaceResultFields
+from .workspace_result_working_mode_item import WorkspaceResultWorkingModeItem
+
+__all__ = (
+    "ActuatorLimit",
+    "Bounds",
+    "Component",
+    "ComponentCentroid",
+    "Constructive",
+    "Effective",
+    "EffortRequest",
+    "EffortRequestWorkingModeType0Item",
+    "EffortResult",
+    "EffortResultWorkingModeItem",
+    "Estimate",
+    "EstimateMode",
+    "Excluded",
+    "ExcludedReason",
+    "FieldFault",
+    "FieldProblem",
+    "FieldSummary",
+    "FieldSummaryAtMaxType0",
+    "FiveBar",
+    "FiveBarWorkingModeType0Item",
+    "GetFigureFormatType0",
+    "GetGridFormatType0",
+    "GridAxis",
+    "Health",
+    "InverseKinematicsAllModesResult",
+    "InverseKinematicsAllModesResultWorkingModesItemItem",
+    "InverseKinematicsRequest",
+    "InverseKinematicsRequestWorkingModeType0Item",
+    "InverseKinematicsResult",
+    "InverseKinematicsResultWorkingModeItem",
+    "Job",
+    "JobError",
+    "JobErrorKind",
+    "JobPage",
+    "JobState",
+    "Kind",
+    "KindJsonSchema",
+    "KindPage",
+    "KnownLoad",
+    "Links",
+    "ListJobsStateType0",
+    "LoadSize",
+    "Measure",
+    "MechanismPage",
+    "Obstacle",
+    "ObstacleInMode",
+    "ObstacleInModeReason",
+    "ObstacleReason",
+    "Planar3RRR",
+    "Planar3RRRWorkingModeType0Item",
+    "Preset",
+    "Problem",
+    "Progress",
+    "Readiness",
+    "StoredMechanism",
+    "StoredMechanismDocument",
+    "WorkspaceRequest",
+    "WorkspaceRequestClass",
+    "WorkspaceRequestFieldsItem",
+    "WorkspaceRequestFixed",
+    "WorkspaceRequestWorkingModeType0Item",
+    "WorkspaceResult",
+    "WorkspaceResultCentroidType0",
+    "WorkspaceResultClass",
+    "WorkspaceResultFields",
+    "WorkspaceResultWorkingModeItem",
+)

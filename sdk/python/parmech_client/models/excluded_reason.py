@@ -1,0 +1,17 @@
+from typing import Literal
+
+ExcludedReason = Literal["actuator_limits", "crank_rod_angle", "effort", "reach", "rod_rod_angle"]
+
+EXCLUDED_REASON_VALUES: set[ExcludedReason] = {
+    "actuator_limits",
+    "crank_rod_angle",
+    "effort",
+    "reach",
+    "rod_rod_angle",
+}
+
+
+def check_excluded_reason(value: str) -> ExcludedReason:
+    if value in EXCLUDED_REASON_VALUES:
+        return value
+    raise TypeError(f"Unexpected value {value!r}. Expected one of {EXCLUDED_REASON_VALUES!r}")

@@ -1,0 +1,291 @@
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+
+from attrs import define as _attrs_define
+
+from ..models.workspace_request_class import WorkspaceRequestClass, check_workspace_request_class
+from ..models.workspace_request_fields_item import WorkspaceRequestFieldsItem, check_workspace_request_fields_item
+from ..models.workspace_request_working_mode_type_0_item import (
+    WorkspaceRequestWorkingModeType0Item,
+    check_workspace_request_working_mode_type_0_item,
+)
+from ..types import UNSET, Unset
+
+if TYPE_CHECKING:
+    from ..models.constructive import Constructive
+    from ..models.effective import Effective
+    from ..models.five_bar import FiveBar
+    from ..models.grid_axis import GridAxis
+    from ..models.planar_3rrr import Planar3RRR
+    from ..models.stored_mechanism import StoredMechanism
+    from ..models.workspace_request_fixed import WorkspaceRequestFixed
+
+
+T = TypeVar("T", bound="WorkspaceRequest")
+
+
+@_attrs_define
+class WorkspaceRequest:
+    """Ask which nodes of a grid belong to a workspace of a class and a type.
+
+    `class` says which conditions a pose must meet: `theoretical` the inverse problem alone;
+    `constructive` also the actuator limits and what `constructive` bounds; `effective` also
+    what `effective` bounds. Blocks of a higher class than the one asked are allowed, so that
+    one body serves all three, and are not applied. `type` constant_orientation: the
+    conditions hold at the one orientation given in `fixed`.
+
+        Attributes:
+            analysis (Literal['workspace']):
+            class_ (WorkspaceRequestClass):
+            grid (list[GridAxis]):
+            mechanism (FiveBar | Planar3RRR | StoredMechanism):
+            type_ (Literal['constant_orientation']):
+            constructive (Constructive | None | Unset):
+            effective (Effective | None | Unset):
+            fields (list[WorkspaceRequestFieldsItem] | Unset): Numbers to keep for every node inside.
+            fixed (WorkspaceRequestFixed | Unset): The value of every coordinate that is not on the grid.
+            working_mode (list[WorkspaceRequestWorkingModeType0Item] | None | Unset):
+    """
+
+    analysis: Literal["workspace"]
+    class_: WorkspaceRequestClass
+    grid: list[GridAxis]
+    mechanism: FiveBar | Planar3RRR | StoredMechanism
+    type_: Literal["constant_orientation"]
+    constructive: Constructive | None | Unset = UNSET
+    effective: Effective | None | Unset = UNSET
+    fields: list[WorkspaceRequestFieldsItem] | Unset = UNSET
+    fixed: WorkspaceRequestFixed | Unset = UNSET
+    working_mode: list[WorkspaceRequestWorkingModeType0Item] | None | Unset = UNSET
+
+    def to_dict(self) -> dict[str, Any]:
+        from ..models.constructive import Constructive  # noqa: PLC0415
+        from ..models.effective import Effective  # noqa: PLC0415
+        from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+
+        analysis = self.analysis
+
+        class_: str = self.class_
+
+        grid = []
+        for grid_item_data in self.grid:
+            grid_item = grid_item_data.to_dict()
+            grid.append(grid_item)
+
+        mechanism: dict[str, Any]
+        if isinstance(self.mechanism, FiveBar):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Planar3RRR):
+            mechanism = self.mechanism.to_dict()
+        else:
+            mechanism = self.mechanism.to_dict()
+
+        type_ = self.type_
+
+        constructive: dict[str, Any] | None | Unset
+        if isinstance(self.constructive, Unset):
+            constructive = UNSET
+        elif isinstance(self.constructive, Constructive):
+            constructive = self.constructive.to_dict()
+        else:
+            constructive = self.constructive
+
+        effective: dict[str, Any] | None | Unset
+        if isinstance(self.effective, Unset):
+            effective = UNSET
+        elif isinstance(self.effective, Effective):
+            effective = self.effective.to_dict()
+        else:
+            effective = self.effective
+
+        fields: list[str] | Unset = UNSET
+        if not isinstance(self.fields, Unset):
+            fields = []
+            for fields_item_data in self.fields:
+                fields_item: str = fields_item_data
+                fields.append(fields_item)
+
+        fixed: dict[str, Any] | Unset = UNSET
+        if not isinstance(self.fixed, Unset):
+            fixed = self.fixed.to_dict()
+
+        working_mode: list[int] | None | Unset
+        if isinstance(self.working_mode, Unset):
+            working_mode = UNSET
+        elif isinstance(self.working_mode, list):
+            working_mode = []
+            for working_mode_type_0_item_data in self.working_mode:
+                working_mode_type_0_item: int = working_mode_type_0_item_data
+                working_mode.append(working_mode_type_0_item)
+
+        else:
+            working_mode = self.working_mode
+
+        field_dict: dict[str, Any] = {}
+
+        field_dict.update(
+            {
+                "analysis": analysis,
+                "class": class_,
+                "grid": grid,
+                "mechanism": mechanism,
+                "type": type_,
+            }
+        )
+        if constructive is not UNSET:
+            field_dict["constructive"] = constructive
+        if effective is not UNSET:
+            field_dict["effective"] = effective
+        if fields is not UNSET:
+            field_dict["fields"] = fields
+        if fixed is not UNSET:
+            field_dict["fixed"] = fixed
+        if working_mode is not UNSET:
+            field_dict["working_mode"] = working_mode
+
+        return field_dict
+
+    @classmethod
+    def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.constructive import Constructive  # noqa: PLC0415
+        from ..models.effective import Effective  # noqa: PLC0415
+        from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.grid_axis import GridAxis  # noqa: PLC0415
+        from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+        from ..models.stored_mechanism import StoredMechanism  # noqa: PLC0415
+        from ..models.workspace_request_fixed import WorkspaceRequestFixed  # noqa: PLC0415
+
+        d = dict(src_dict)
+        analysis = cast(Literal["workspace"], d.pop("analysis"))
+        if analysis != "workspace":
+            raise ValueError(f"analysis must match const 'workspace', got '{analysis}'")
+
+        class_ = check_workspace_request_class(d.pop("class"))
+
+        grid = []
+        _grid = d.pop("grid")
+        for grid_item_data in _grid:
+            grid_item = GridAxis.from_dict(grid_item_data)
+
+            grid.append(grid_item)
+
+        def _parse_mechanism(data: object) -> FiveBar | Planar3RRR | StoredMechanism:
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_0 = FiveBar.from_dict(data)
+
+                return mechanism_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_1 = Planar3RRR.from_dict(data)
+
+                return mechanism_type_1
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            if not isinstance(data, dict):
+                raise TypeError()
+            mechanism_type_2 = StoredMechanism.from_dict(data)
+
+            return mechanism_type_2
+
+        mechanism = _parse_mechanism(d.pop("mechanism"))
+
+        type_ = cast(Literal["constant_orientation"], d.pop("type"))
+        if type_ != "constant_orientation":
+            raise ValueError(f"type must match const 'constant_orientation', got '{type_}'")
+
+        def _parse_constructive(data: object) -> Constructive | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                constructive_type_0 = Constructive.from_dict(data)
+
+                return constructive_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(Constructive | None | Unset, data)
+
+        constructive = _parse_constructive(d.pop("constructive", UNSET))
+
+        def _parse_effective(data: object) -> Effective | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                effective_type_0 = Effective.from_dict(data)
+
+                return effective_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(Effective | None | Unset, data)
+
+        effective = _parse_effective(d.pop("effective", UNSET))
+
+        _fields = d.pop("fields", UNSET)
+        fields: list[WorkspaceRequestFieldsItem] | Unset = UNSET
+        if _fields is not UNSET:
+            fields = []
+            for fields_item_data in _fields:
+                fields_item = check_workspace_request_fields_item(fields_item_data)
+
+                fields.append(fields_item)
+
+        _fixed = d.pop("fixed", UNSET)
+        fixed: WorkspaceRequestFixed | Unset
+        if isinstance(_fixed, Unset):
+            fixed = UNSET
+        else:
+            fixed = WorkspaceRequestFixed.from_dict(_fixed)
+
+        def _parse_working_mode(data: object) -> list[WorkspaceRequestWorkingModeType0Item] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                working_mode_type_0 = []
+                _working_mode_type_0 = data
+                for working_mode_type_0_item_data in _working_mode_type_0:
+                    working_mode_type_0_item = check_workspace_request_working_mode_type_0_item(
+                        working_mode_type_0_item_data
+                    )
+
+                    working_mode_type_0.append(working_mode_type_0_item)
+
+                return working_mode_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[WorkspaceRequestWorkingModeType0Item] | None | Unset, data)
+
+        working_mode = _parse_working_mode(d.pop("working_mode", UNSET))
+
+        workspace_request = cls(
+            analysis=analysis,
+            class_=class_,
+            grid=grid,
+            mechanism=mechanism,
+            type_=type_,
+            constructive=constructive,
+            effective=effective,
+            fields=fields,
+            fixed=fixed,
+            working_mode=working_mode,
+        )
+
+        return workspace_request

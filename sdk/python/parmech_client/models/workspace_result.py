@@ -1,0 +1,224 @@
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+
+from attrs import define as _attrs_define
+
+from ..models.workspace_result_class import WorkspaceResultClass, check_workspace_result_class
+from ..models.workspace_result_working_mode_item import (
+    WorkspaceResultWorkingModeItem,
+    check_workspace_result_working_mode_item,
+)
+
+if TYPE_CHECKING:
+    from ..models.bounds import Bounds
+    from ..models.component import Component
+    from ..models.excluded import Excluded
+    from ..models.measure import Measure
+    from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
+    from ..models.workspace_result_fields import WorkspaceResultFields
+
+
+T = TypeVar("T", bound="WorkspaceResult")
+
+
+@_attrs_define
+class WorkspaceResult:
+    """A workspace, without its arrays: those are the job's `grid`.
+
+    Attributes:
+        analysis (Literal['workspace']):
+        bounds (list[Bounds]): Empty where nothing is inside.
+        centroid (None | WorkspaceResultCentroidType0):
+        class_ (WorkspaceResultClass):
+        component_count (int):
+        components (list[Component]): The largest 100, the largest first.
+        excluded (list[Excluded]):
+        fields (WorkspaceResultFields):
+        inside (int):
+        measure (Measure): Length, area or volume of a workspace.
+        nodes (int):
+        shape (list[int]):
+        type_ (Literal['constant_orientation']):
+        working_mode (list[WorkspaceResultWorkingModeItem]):
+    """
+
+    analysis: Literal["workspace"]
+    bounds: list[Bounds]
+    centroid: None | WorkspaceResultCentroidType0
+    class_: WorkspaceResultClass
+    component_count: int
+    components: list[Component]
+    excluded: list[Excluded]
+    fields: WorkspaceResultFields
+    inside: int
+    measure: Measure
+    nodes: int
+    shape: list[int]
+    type_: Literal["constant_orientation"]
+    working_mode: list[WorkspaceResultWorkingModeItem]
+
+    def to_dict(self) -> dict[str, Any]:
+        from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0  # noqa: PLC0415
+
+        analysis = self.analysis
+
+        bounds = []
+        for bounds_item_data in self.bounds:
+            bounds_item = bounds_item_data.to_dict()
+            bounds.append(bounds_item)
+
+        centroid: dict[str, Any] | None
+        if isinstance(self.centroid, WorkspaceResultCentroidType0):
+            centroid = self.centroid.to_dict()
+        else:
+            centroid = self.centroid
+
+        class_: str = self.class_
+
+        component_count = self.component_count
+
+        components = []
+        for components_item_data in self.components:
+            components_item = components_item_data.to_dict()
+            components.append(components_item)
+
+        excluded = []
+        for excluded_item_data in self.excluded:
+            excluded_item = excluded_item_data.to_dict()
+            excluded.append(excluded_item)
+
+        fields = self.fields.to_dict()
+
+        inside = self.inside
+
+        measure = self.measure.to_dict()
+
+        nodes = self.nodes
+
+        shape = self.shape
+
+        type_ = self.type_
+
+        working_mode = []
+        for working_mode_item_data in self.working_mode:
+            working_mode_item: int = working_mode_item_data
+            working_mode.append(working_mode_item)
+
+        field_dict: dict[str, Any] = {}
+
+        field_dict.update(
+            {
+                "analysis": analysis,
+                "bounds": bounds,
+                "centroid": centroid,
+                "class": class_,
+                "component_count": component_count,
+                "components": components,
+                "excluded": excluded,
+                "fields": fields,
+                "inside": inside,
+                "measure": measure,
+                "nodes": nodes,
+                "shape": shape,
+                "type": type_,
+                "working_mode": working_mode,
+            }
+        )
+
+        return field_dict
+
+    @classmethod
+    def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.bounds import Bounds  # noqa: PLC0415
+        from ..models.component import Component  # noqa: PLC0415
+        from ..models.excluded import Excluded  # noqa: PLC0415
+        from ..models.measure import Measure  # noqa: PLC0415
+        from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0  # noqa: PLC0415
+        from ..models.workspace_result_fields import WorkspaceResultFields  # noqa: PLC0415
+
+        d = dict(src_dict)
+        analysis = cast(Literal["workspace"], d.pop("analysis"))
+        if analysis != "workspace":
+            raise ValueError(f"analysis must match const 'workspace', got '{analysis}'")
+
+        bounds = []
+        _bounds = d.pop("bounds")
+        for bounds_item_data in _bounds:
+            bounds_item = Bounds.from_dict(bounds_item_data)
+
+            bounds.append(bounds_item)
+
+        def _parse_centroid(data: object) -> None | WorkspaceResultCentroidType0:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                centroid_type_0 = WorkspaceResultCentroidType0.from_dict(data)
+
+                return centroid_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(None | WorkspaceResultCentroidType0, data)
+
+        centroid = _parse_centroid(d.pop("centroid"))
+
+        class_ = check_workspace_result_class(d.pop("class"))
+
+        component_count = d.pop("component_count")
+
+        components = []
+        _components = d.pop("components")
+        for components_item_data in _components:
+            components_item = Component.from_dict(components_item_data)
+
+            components.append(components_item)
+
+        excluded = []
+        _excluded = d.pop("excluded")
+        for excluded_item_data in _excluded:
+            excluded_item = Excluded.from_dict(excluded_item_data)
+
+            excluded.append(excluded_item)
+
+        fields = WorkspaceResultFields.from_dict(d.pop("fields"))
+
+        inside = d.pop("inside")
+
+        measure = Measure.from_dict(d.pop("measure"))
+
+        nodes = d.pop("nodes")
+
+        shape = cast(list[int], d.pop("shape"))
+
+        type_ = cast(Literal["constant_orientation"], d.pop("type"))
+        if type_ != "constant_orientation":
+            raise ValueError(f"type must match const 'constant_orientation', got '{type_}'")
+
+        working_mode = []
+        _working_mode = d.pop("working_mode")
+        for working_mode_item_data in _working_mode:
+            working_mode_item = check_workspace_result_working_mode_item(working_mode_item_data)
+
+            working_mode.append(working_mode_item)
+
+        workspace_result = cls(
+            analysis=analysis,
+            bounds=bounds,
+            centroid=centroid,
+            class_=class_,
+            component_count=component_count,
+            components=components,
+            excluded=excluded,
+            fields=fields,
+            inside=inside,
+            measure=measure,
+            nodes=nodes,
+            shape=shape,
+            type_=type_,
+            working_mode=working_mode,
+        )
+
+        return workspace_result
