@@ -7,7 +7,7 @@ import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import Locator, LogLocator, MaxNLocator
 
 from analyses.pictures import PictureField
 from exports.drawing import style
@@ -15,6 +15,8 @@ from exports.drawing.scales import Scale
 from exports.drawing.wording import limit_off_scale, number, numbers
 
 _TICKS = 6
+# Below this span of a logarithmic bar 2 and 5 are written between the powers of ten.
+_FEW_DECADES = 1e3
 # Height of the point at an end beyond which there are values, in parts of the bar.
 _END = 0.035
 # A number nearer to the limit than this share of the bar would run into its mark.
@@ -43,7 +45,11 @@ def draw_bar(figure: Figure, colours: ScalarMappable, scale: Scale, field: Pictu
     axes.tick_params(which="both", direction="out", length=3.5, pad=4.0)
     axes.minorticks_off()
     ticks = _ticks(scale, field.limit)
-    places, texts = list(ticks), numbers(ticks, scale.exponent)
+    if scale.logarithmic:
+        texts = [number(tick, 0) for tick in ticks]
+    else:
+        texts = numbers(ticks, scale.exponent)
+    places = list(ticks)
     if field.limit is not None and scale.holds(field.limit):
         places, texts = [*places, field.limit], [*texts, _limit_text(field.limit, scale)]
     bar.set_ticks(places, labels=texts)
@@ -63,13 +69,16 @@ def _limit_text(limit: float, scale: Scale) -> str:
 
 
 def _ticks(scale: Scale, limit: float | None) -> npt.NDArray[np.float64]:
-    locator = MaxNLocator(nbins=_TICKS, steps=[1, 2, 2.5, 5, 10])
+    locator: Locator = MaxNLocator(nbins=_TICKS, steps=[1, 2, 2.5, 5, 10])
+    if scale.logarithmic:
+        few = scale.high / scale.low < _FEW_DECADES
+        locator = LogLocator(subs=(1.0, 2.0, 5.0) if few else (1.0,))
     ticks = np.asarray(locator.tick_values(scale.low, scale.high), dtype=np.float64)
-    margin = 1e-9 * (scale.high - scale.low)
-    ticks = ticks[(ticks >= scale.low - margin) & (ticks <= scale.high + margin)]
+    low, high = scale.widened(1e-9)
+    ticks = ticks[(ticks >= low) & (ticks <= high)]
     if limit is None or not scale.holds(limit):
         return ticks
-    return ticks[np.abs(ticks - limit) > _CLEARANCE * (scale.high - scale.low)]
+    return ticks[np.abs(scale.share(ticks) - scale.share(np.array(limit))) > _CLEARANCE]
 
 
 def _mark_limit(axes: Axes, scale: Scale, limit: float, unit: str) -> None:

@@ -85,8 +85,9 @@ def _plot(axes: Axes, nodes: Floats, values: Floats, scale: Scale) -> None:
         markeredgewidth=1.3,
         zorder=5,
     )
-    room = 0.06 * (scale.high - scale.low)
-    axes.set_ylim(scale.low - room, scale.high + room)
+    if scale.logarithmic:
+        axes.set_yscale("log")
+    axes.set_ylim(scale.widened(0.06))
 
 
 def _mark_limit(axes: Axes, field: PictureField, scale: Scale) -> None:

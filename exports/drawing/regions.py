@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.colors import ListedColormap, LogNorm, Normalize
 from matplotlib.image import AxesImage
 from matplotlib.patches import PathPatch
 from scipy.ndimage import distance_transform_edt
@@ -82,7 +82,8 @@ class NodeGrid:
             image.set(interpolation="bilinear", clip_path=clip)
             if level is not None:
                 self._line(axes, field, level, clip)
-        image.set(norm=Normalize(scale.low, scale.high), zorder=2.0)
+        norm = LogNorm if scale.logarithmic else Normalize
+        image.set(norm=norm(scale.low, scale.high), zorder=2.0)
         return image
 
     def _image(

@@ -63,3 +63,23 @@ def test_takes_powers_of_ten_out_of_awkward_numbers(value: float, exponent: int)
     scale = scale_of(np.array([0.0, value]), None)
     assert scale is not None
     assert scale.exponent == exponent
+
+
+def test_orders_of_size_are_told_apart_where_a_positive_field_spans_many() -> None:
+    scale = scale_of(np.geomspace(0.5, 5000.0, 1000), None)
+    assert scale is not None
+    assert scale.logarithmic
+    assert scale.share(np.array(50.0)) == pytest.approx(0.5, abs=0.02)
+
+
+def test_a_field_that_touches_zero_keeps_even_steps() -> None:
+    scale = scale_of(np.append(np.geomspace(0.5, 5000.0, 1000), 0.0), None)
+    assert scale is not None
+    assert not scale.logarithmic
+
+
+def test_a_limit_is_taken_into_a_logarithmic_range() -> None:
+    scale = scale_of(np.geomspace(1.0, 1000.0, 1000), 2000.0)
+    assert scale is not None
+    assert scale.logarithmic
+    assert scale.holds(2000.0)
