@@ -4,8 +4,9 @@ from functools import cached_property
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Floats
-from mechanics.kernels import efforts, jacobians, legs
+from mechanics.arrays import Booleans, Floats, Integers
+from mechanics.kernels import batches, cofactors, efforts, jacobians, legs
+from mechanics.kernels.placing import gather
 from mechanics.mechanism import Mechanism
 
 
@@ -33,53 +34,89 @@ class Configuration:
     def take(self, chosen: Booleans) -> "Configuration":
         """Return the chosen poses, shape (poses,), with all that is already computed of them."""
         taken = Configuration(self.mechanism, self.poses)
+        indices = np.flatnonzero(chosen)
         for name, value in vars(self).items():
             if isinstance(value, np.ndarray):
-                vars(taken)[name] = np.ascontiguousarray(value[..., chosen])
+                vars(taken)[name] = _columns(value, indices)
             elif isinstance(value, tuple):
-                vars(taken)[name] = tuple(np.ascontiguousarray(v[..., chosen]) for v in value)
+                vars(taken)[name] = tuple(_columns(part, indices) for part in value)
         return taken
+
+    def _array(self, *shape: int) -> Floats:
+        return np.empty((*shape, self.count))
+
+    @property
+    def _legs(self) -> int:
+        return self.mechanism.leg_count
+
+    @cached_property
+    def placement(self) -> tuple[Floats, Floats]:
+        """Positions, shape (3, poses), and rotations, shape (9, poses) row by row. [m, -]"""
+        return self.mechanism.motion.place(self.poses)
 
     @cached_property
     def attachment(self) -> tuple[Floats, Floats]:
         """Arms rho and spans d = c - A of the legs, shape (legs, 3, poses) each. [m]"""
-        return legs.attach(self.mechanism.legs, *self.mechanism.motion.place(self.poses))
+        arms, spans = self._array(self._legs, 3), self._array(self._legs, 3)
+        legs.attach(self.mechanism.legs, *self.placement, arms, spans)
+        return arms, spans
 
     @cached_property
     def reach(self) -> Floats:
         """By how much each leg's equation is solvable, shape (legs, poses); < 0: not. [m^2]"""
-        return legs.reach_margins(self.mechanism.legs, self.attachment[1])
+        margins = self._array(self._legs)
+        legs.reach_margins(self.mechanism.legs, self.attachment[1], margins)
+        return margins
 
     @cached_property
     def needed_rods(self) -> Floats:
         """The rod, nearest to the leg's own, that would reach, shape (legs, poses). [m]"""
-        return legs.needed_rods(self.mechanism.legs, self.attachment[1])
+        needed = self._array(self._legs)
+        legs.needed_rods(self.mechanism.legs, self.attachment[1], needed)
+        return needed
 
     @cached_property
-    def cranks(self) -> tuple[Floats, Floats]:
-        """Cosines and sines of the crank angles, shape (legs, poses) each."""
-        return legs.cranks(self.mechanism.legs, self.attachment[1])
+    def travel(self) -> Floats:
+        """Cosine and sine of cranks, coordinate of rails and struts, shape (legs, 2, poses)."""
+        travel = self._array(self._legs, 2)
+        legs.travels(self.mechanism.legs, self.attachment[1], travel)
+        return travel
 
     @cached_property
     def actuators(self) -> Floats:
-        """Drive coordinates, shape (legs, poses); crank angles in (-pi, pi]. [rad]"""
-        return legs.angles(*self.cranks)
+        """Drive coordinates, shape (legs, poses); crank angles in (-pi, pi]. [rad or m]"""
+        values = self._array(self._legs)
+        if "travel" in vars(self):
+            legs.coordinates(self.mechanism.legs, self.travel, values)
+            return values
+        motion = self.mechanism.motion
+        batches.actuators(
+            motion.twists, motion.turning, motion.axis, self.mechanism.legs, self.poses, values
+        )
+        return values
 
     @cached_property
     def rods(self) -> tuple[Floats, Floats]:
-        """Rod directions u, shape (legs, 3, poses), and the diagonal of Jpsi. [-, m]"""
-        return legs.rods(self.mechanism.legs, self.attachment[1], *self.cranks)
+        """Rod directions u, shape (legs, 3, poses), and the diagonal of Jpsi. [-, m or -]"""
+        directions, rates = self._array(self._legs, 3), self._array(self._legs)
+        legs.rods(self.mechanism.legs, self.attachment[1], self.travel, directions, rates)
+        return directions, rates
 
     @cached_property
     def platform_jacobians(self) -> Floats:
         """Jx, shape (legs, coordinates, poses). [- for translations, m for turns]"""
         twists = self.mechanism.motion.twists
-        return jacobians.platform_jacobians(twists, self.rods[0], self.attachment[0])
+        rows = self._array(self._legs, twists.shape[1])
+        jacobians.platform_jacobians(twists, self.rods[0], self.attachment[0], rows)
+        return rows
 
     @cached_property
     def cofactors(self) -> tuple[Floats, Floats]:
         """Cofactors of Jx, shape (legs, coordinates, poses), and det Jx, shape (poses,)."""
-        return jacobians.cofactors(self.platform_jacobians)
+        matrices = self.platform_jacobians
+        adjugates, determinants = np.empty_like(matrices), self._array()
+        cofactors.write_cofactors(matrices, adjugates, determinants)
+        return adjugates, determinants
 
     @property
     def determinants(self) -> Floats:
@@ -89,4 +126,11 @@ class Configuration:
     @cached_property
     def effort_rows(self) -> Floats:
         """Rows of J^-T as wrenches, shape (drives, 6, poses), forces before moments."""
-        return efforts.effort_rows(*self.cofactors, self.rods[1], self.mechanism.motion.twists)
+        rows = self._array(self._legs, 6)
+        efforts.effort_rows(*self.cofactors, self.rods[1], self.mechanism.motion.twists, rows)
+        return rows
+
+
+def _columns(values: Floats, chosen: Integers) -> Floats:
+    *own, count = values.shape
+    return gather(values.reshape(-1, count), chosen).reshape(*own, chosen.size)

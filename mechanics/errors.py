@@ -6,10 +6,10 @@ class MechanicsError(ValueError):
 
 
 class GeometryError(MechanicsError):
-    """Dimensions from which no mechanism can be built."""
+    """Dimensions from which no mechanism can be built; `leg` is the leg at fault, if it is one."""
 
     def __init__(self, message: str, *, leg: int | None = None) -> None:
-        super().__init__(message)
+        super().__init__(message if leg is None else f"leg {leg}: {message}")
         self.leg = leg
 
 
@@ -23,3 +23,21 @@ class PoseError(MechanicsError):
         )
         self.given = given
         self.coordinates = coordinates
+
+
+class WorkingModeError(MechanicsError):
+    """Signs that are no working mode of the mechanism."""
+
+    def __init__(self, given: tuple[int, ...], legs: int) -> None:
+        super().__init__(
+            f"must have {legs} signs, one per leg, 1 or -1, and 1 for a strut; given {list(given)}"
+        )
+        self.given = given
+        self.legs = legs
+
+
+def require_positive(**lengths: float) -> None:
+    """Raise GeometryError naming the first length that is not above 0."""
+    for name, length in lengths.items():
+        if not length > 0.0:
+            raise GeometryError(f"{name} must be above 0 m; given {length}")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechanics.arrays import Floats, Integers
-from mechanics.kernels.poses import grid_poses
+from mechanics.kernels.placing import grid_poses
 
 TOLERANCE = 1e-9
 """A last node this many steps past the maximum still counts."""

@@ -6,8 +6,8 @@ from itertools import product
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.errors import GeometryError, PoseError
-from mechanics.legs import Legs
+from mechanics.errors import GeometryError, PoseError, WorkingModeError
+from mechanics.legs import STRUT, Legs
 from mechanics.motions import Motion
 
 WorkingMode = tuple[int, ...]
@@ -36,15 +36,22 @@ class Mechanism:
     @property
     def leg_count(self) -> int:
         """How many legs there are."""
-        return int(self.legs.rod_length.size)
+        return int(self.legs.drive.size)
 
     @property
     def working_modes(self) -> list[WorkingMode]:
-        """All working modes, the signs of every leg, +1 before -1."""
-        return list(product((1, -1), repeat=self.leg_count))
+        """All working modes, the signs of every leg, +1 before -1; a strut has no other than 1."""
+        return list(product(*((1,) if d == STRUT else (1, -1) for d in self.legs.drive)))
 
     def in_working_mode(self, signs: WorkingMode) -> "Mechanism":
-        """Return the same mechanism with another branch of its inverse solution."""
+        """Return the same mechanism with another branch of its inverse solution.
+
+        Raises
+        ------
+        WorkingModeError : there is no such working mode.
+        """
+        if tuple(signs) not in self.working_modes:
+            raise WorkingModeError(signs, self.leg_count)
         return replace(self, legs=self.legs._replace(working_mode=np.array(signs, dtype=float)))
 
     def columns(self, poses: Floats) -> Floats:

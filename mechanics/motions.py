@@ -5,20 +5,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.kernels.poses import TURNING_ABOUT_AXIS, TURNING_NONE, place
+from mechanics.errors import GeometryError
+from mechanics.kernels.placing import (
+    TURNING_ABOUT_AXIS,
+    TURNING_ABOUT_FIXED_AXES,
+    TURNING_NONE,
+    place,
+)
 
 
 @dataclass(frozen=True)
 class Motion:
-    """The coordinates of a pose, in order, and the unit twist of each.
+    """The coordinates of a pose, in order, and a basis of the twists that the platform has.
 
     Parameters
     ----------
     name : the field's name of the motion.
     coordinates : names in the order of a pose's numbers; translations first. [m, rad]
-    twists : array, shape (6, coordinates); column k is the unit twist (v, omega) of
-        coordinate k, the linear velocity of the reference point first.
-    turning : how the last coordinates turn the platform (`kernels.poses.TURNING_*`).
+    twists : array, shape (6, coordinates): orthonormal unit twists (v, omega), the linear
+        velocity of the reference point first. Column k moves along coordinate k; three turning
+        angles instead have the turns about the fixed x, y and z as their columns.
+    turning : how the last coordinates turn the platform (`kernels.placing.TURNING_*`).
     axis : array, shape (3,), the unit axis of the only turn, where there is one.
     """
 
@@ -50,17 +57,48 @@ class Motion:
         positions : array, shape (3, poses), the reference point p. [m]
         rotations : array, shape (9, poses), the rotation matrix row by row.
         """
-        positions, rotations = place(self.twists, self.turning, self.axis, poses)
+        positions = np.empty((3, poses.shape[1]))
+        rotations = np.empty((9, poses.shape[1]))
+        place(self.twists, self.turning, self.axis, poses, positions, rotations)
         return positions, rotations
+
+
+_NO_AXIS = np.zeros(3)
 
 
 def _twists(*directions: int) -> Floats:
     return np.ascontiguousarray(np.eye(6)[:, directions])
 
 
-PLANAR_TRANSLATION = Motion(
-    "planar_translation", ("x", "y"), _twists(0, 1), TURNING_NONE, np.zeros(3)
-)
+PLANAR_TRANSLATION = Motion("planar_translation", ("x", "y"), _twists(0, 1), TURNING_NONE, _NO_AXIS)
 PLANAR = Motion(
     "planar", ("x", "y", "phi"), _twists(0, 1, 5), TURNING_ABOUT_AXIS, np.array([0.0, 0.0, 1.0])
 )
+TRANSLATION = Motion("translation", ("x", "y", "z"), _twists(0, 1, 2), TURNING_NONE, _NO_AXIS)
+SPHERICAL = Motion(
+    "spherical", ("rx", "ry", "rz"), _twists(3, 4, 5), TURNING_ABOUT_FIXED_AXES, _NO_AXIS
+)
+SPATIAL = Motion(
+    "spatial",
+    ("x", "y", "z", "rx", "ry", "rz"),
+    _twists(0, 1, 2, 3, 4, 5),
+    TURNING_ABOUT_FIXED_AXES,
+    _NO_AXIS,
+)
+
+
+def schoenflies(axis: Floats) -> Motion:
+    """Return the motion of three translations and one turn about `axis`, shape (3,).
+
+    Raises
+    ------
+    GeometryError : the axis is zero.
+    """
+    length = float(np.linalg.norm(axis))
+    if length < 1e-12:
+        raise GeometryError(f"the axis of the turn must not be zero; given {list(axis)}")
+    unit = np.asarray(axis, dtype=float) / length
+    twists = np.zeros((6, 4))
+    twists[:3, :3] = np.eye(3)
+    twists[3:, 3] = unit
+    return Motion("schoenflies", ("x", "y", "z", "theta"), twists, TURNING_ABOUT_AXIS, unit)

@@ -20,4 +20,4 @@ def joints(block: Configuration) -> Joints:
     spans = block.attachment[1]
     base = legs.base_point[:, :, None] + 0.0 * spans
     platform = base + spans
-    return Joints(base, platform - legs.rod_length[:, None, None] * block.rods[0], platform)
+    return Joints(base, platform - legs.rod_scale[:, None, None] * block.rods[0], platform)

@@ -13,7 +13,7 @@ from mechanics.grid import Grid
 from mechanics.kernels import runs as kernels
 from mechanics.mechanism import Mechanism
 
-BLOCK = 16384
+BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
 
 INSIDE = 0

@@ -6,37 +6,43 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
+from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
 
 TURN = 2.0 * np.pi
 
 
 class ActuatorLimits(Condition):
-    """Some turn psi + 2 pi k of each crank lies within the leg's limits."""
+    """Each drive lies within its leg's limits; of a crank, its angle in some turn."""
 
     reason = "actuator_limits"
 
     def __init__(self, mechanism: Mechanism) -> None:
+        legs = mechanism.legs
         self.legs = tuple(range(mechanism.leg_count))
-        self._lower = mechanism.legs.lower_limit[:, None]
-        self._upper = mechanism.legs.upper_limit[:, None]
+        self._lower = legs.lower_limit[:, None]
+        self._upper = legs.upper_limit[:, None]
+        turning = (legs.drive == CRANK)[:, None]
+        both_stops = np.isfinite(self._upper) & np.isfinite(self._lower)
         # With one stop or none, some turn of a crank is always free.
-        self._bounded = np.isfinite(self._upper) & np.isfinite(self._lower)
-        ends = np.where(self._bounded, [self._lower, self._upper], 0.0)
+        self._free = turning & ~both_stops
+        self._turned = turning & both_stops
+        ends = np.where(self._turned, [self._lower, self._upper], 0.0)
         self._middle = 0.5 * (ends[0] + ends[1])
 
     def check(self, block: Configuration) -> Floats:
-        """Return how far inside its limits each drive is. [rad]"""
+        """Return how far inside its limits each drive is. [rad or m]"""
         margins = margin_between(self._nearest_turns(block), self._lower, self._upper)
-        free = np.where(np.isnan(block.actuators), np.nan, np.inf)
-        return np.where(self._bounded, margins, free)
+        unbounded = np.where(np.isnan(block.actuators), np.nan, np.inf)
+        return np.where(self._free, unbounded, margins)
 
     def explain(self, block: Configuration) -> Breach:
-        """Return the crank angle, in the turn nearest to its limits, and the limit. [rad]"""
+        """Return the drive, a crank in the turn nearest to its limits, and the limit."""
         return nearest_bound(self._nearest_turns(block), self._lower, self._upper)
 
     def _nearest_turns(self, block: Configuration) -> Floats:
         """Return the turn of each angle that lies deepest inside, or least outside, its limits."""
-        angles = block.actuators
-        turned: Floats = angles + TURN * np.round((self._middle - angles) / TURN)
+        values = block.actuators
+        turns = np.where(self._turned, np.round((self._middle - values) / TURN), 0.0)
+        turned: Floats = values + TURN * turns
         return turned

@@ -6,7 +6,14 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
+from mechanics.legs import ARC_JOINTS, CRANK
 from mechanics.mechanism import Mechanism
+
+
+def legs_with_elbows(mechanism: Mechanism) -> list[int]:
+    """Return the legs that have a crank and a rod."""
+    legs = mechanism.legs
+    return np.flatnonzero((legs.drive == CRANK) & (legs.joints != ARC_JOINTS)).tolist()
 
 
 class CrankRodAngle(Condition):
@@ -15,26 +22,26 @@ class CrankRodAngle(Condition):
     reason = "crank_rod_angle"
 
     def __init__(self, mechanism: Mechanism, lower: float, upper: float) -> None:
-        self.legs = tuple(range(mechanism.leg_count))
+        self.legs = tuple(legs_with_elbows(mechanism))
         self._lower = lower
         self._upper = upper
 
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its bounds each elbow's angle is. [rad]"""
-        return margin_between(_elbow_angles(block), self._lower, self._upper)
+        return margin_between(self._angles(block), self._lower, self._upper)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the elbows' angles and the bounds nearest to them. [rad]"""
-        return nearest_bound(_elbow_angles(block), self._lower, self._upper)
+        return nearest_bound(self._angles(block), self._lower, self._upper)
 
-
-def _elbow_angles(block: Configuration) -> Floats:
-    # By the law of cosines in the triangle A, B, c: the same in both working modes.
-    legs = block.mechanism.legs
-    crank, rod = legs.crank_length[:, None], legs.rod_length[:, None]
-    spans = block.attachment[1]
-    squares = np.einsum("kji,kji->ki", spans, spans)
-    cosines = (crank**2 + rod**2 - squares) / (2.0 * crank * rod)
-    reached = np.where(block.reach >= 0.0, cosines, np.nan)
-    angles: Floats = np.arccos(np.clip(reached, -1.0, 1.0))
-    return angles
+    def _angles(self, block: Configuration) -> Floats:
+        # By the law of cosines in the triangle A, B, c: the same in both working modes.
+        chosen = list(self.legs)
+        legs = block.mechanism.legs
+        crank, rod = legs.crank_length[chosen, None], legs.rod_length[chosen, None]
+        spans = block.attachment[1][chosen]
+        squares = np.einsum("kji,kji->ki", spans, spans)
+        cosines = (crank**2 + rod**2 - squares) / (2.0 * crank * rod)
+        reached = np.where(block.reach[chosen] >= 0.0, cosines, np.nan)
+        angles: Floats = np.arccos(np.clip(reached, -1.0, 1.0))
+        return angles

@@ -14,7 +14,7 @@ from mechanics.mechanism import Mechanism
 def rods_at_shared_joints(mechanism: Mechanism) -> list[tuple[int, int]]:
     """Return the pairs of legs whose rods end in one point of the platform."""
     points = mechanism.legs.platform_point
-    scale = max(mechanism.legs.rod_length)
+    scale = max(1e-9, float(np.max(np.abs(points))), float(mechanism.legs.rod_length.max()))
     return [
         (i, j)
         for i, j in combinations(range(len(points)), 2)

@@ -3,7 +3,8 @@
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.families.planar import planar_cranks
+from mechanics.errors import require_positive
+from mechanics.legs import CRANK, PLANE_JOINTS, Leg, gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import PLANAR_TRANSLATION
 
@@ -32,13 +33,27 @@ def five_bar(
     ----------
     Erastova, Laryushkin, 2017, doi:10.18698/0536-1044-2017-8-78-87, fig. 7.
     """
+    require_positive(base_distance=base_distance)
     half = 0.5 * base_distance
-    legs = planar_cranks(
-        base_point=np.array([[-half, 0.0], [half, 0.0]]),
+    legs = [
+        planar_leg(np.array([x, 0.0, 0.0]), np.zeros(3), crank_length, rod_length)
+        for x in (-half, half)
+    ]
+    return Mechanism(PLANAR_TRANSLATION, gather(legs, limits, working_mode))
+
+
+def planar_leg(
+    base_point: Floats, platform_point: Floats, crank_length: float, rod_length: float
+) -> Leg:
+    """Return a leg of three revolutes in the plane: its crank turns about +z from +x."""
+    return Leg(
+        CRANK,
+        base_point,
+        platform_point,
+        axis=(0.0, 0.0, 1.0),
+        zero_direction=(1.0, 0.0, 0.0),
         crank_length=crank_length,
         rod_length=rod_length,
-        platform_point=np.zeros((2, 2)),
-        limits=limits,
-        working_mode=working_mode,
+        joints=PLANE_JOINTS,
+        hinge=(0.0, 0.0, 1.0),
     )
-    return Mechanism(PLANAR_TRANSLATION, legs)

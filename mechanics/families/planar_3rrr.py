@@ -3,7 +3,10 @@
 import math
 
 from mechanics.arrays import Floats
-from mechanics.families.planar import planar_cranks, triangle
+from mechanics.errors import require_positive
+from mechanics.families.circles import outward
+from mechanics.families.five_bar import planar_leg
+from mechanics.legs import gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import PLANAR
 
@@ -38,12 +41,10 @@ def planar_3rrr(
     ----------
     Laryushkin, Glazunov, Erastova, 2016, fig. 2.
     """
-    legs = planar_cranks(
-        base_point=triangle(base_side / math.sqrt(3.0)),
-        crank_length=crank_length,
-        rod_length=rod_length,
-        platform_point=triangle(platform_radius),
-        limits=limits,
-        working_mode=working_mode,
-    )
-    return Mechanism(PLANAR, legs)
+    require_positive(base_side=base_side, platform_radius=platform_radius)
+    base_radius = base_side / math.sqrt(3.0)
+    legs = [
+        planar_leg(base_radius * out, platform_radius * out, crank_length, rod_length)
+        for out in outward()
+    ]
+    return Mechanism(PLANAR, gather(legs, limits, working_mode))

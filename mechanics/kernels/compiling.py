@@ -38,4 +38,13 @@ setattr(numba.config, "CACHE_DIR", str(cache_folder()))  # noqa: B010  (it has n
 def kernel(function: F) -> F:
     """Compile `function` without the GIL, cached on disk; division by zero gives inf or NaN."""
     # The default error model's zero-division branch stops vectorisation.
-    return numba.njit(function, nogil=True, cache=True, error_model="numpy")  # type: ignore[no-any-return]
+    compiled: F = numba.njit(function, nogil=True, cache=True, error_model="numpy")
+    return compiled
+
+
+def inlined(function: F) -> F:
+    """Compile `function` into its callers, where the compiler sees that arrays do not overlap."""
+    compiled: F = numba.njit(
+        function, nogil=True, error_model="numpy", inline="always", fastmath={"contract"}
+    )
+    return compiled

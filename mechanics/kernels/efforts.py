@@ -10,23 +10,24 @@ from mechanics.kernels.compiling import kernel
 
 @kernel
 def effort_rows(
-    adjugates: Floats, determinants: Floats, drive_rates: Floats, twists: Floats
-) -> Floats:
-    """Return the rows of J^-T as wrenches, shape (drives, 6, poses): force part, moment part.
+    adjugates: Floats, determinants: Floats, drive_rates: Floats, twists: Floats, rows: Floats
+) -> None:
+    """Write the rows of J^-T as wrenches, shape (drives, 6, poses): force part, moment part.
 
     J^-T = Jpsi Jx^-T: finite where Jpsi = 0 (type 1), not finite where det Jx = 0 (type 2).
     """
     count, coordinates, poses = adjugates.shape
-    rows = np.zeros((count, 6, poses))
+    scales = np.empty(poses)
+    rows[:] = 0.0
     for k in range(count):
+        for i in range(poses):
+            scales[i] = drive_rates[k, i] / determinants[i] if determinants[i] else math.nan
         for j in range(coordinates):
             for t in range(6):
                 unit = twists[t, j]
                 if unit != 0.0:
                     for i in range(poses):
-                        scale = drive_rates[k, i] / determinants[i] if determinants[i] else math.nan
-                        rows[k, t, i] += unit * adjugates[k, j, i] * scale
-    return rows
+                        rows[k, t, i] += unit * adjugates[k, j, i] * scales[i]
 
 
 @kernel

@@ -1,40 +1,53 @@
 """The leg equation |c - B|^2 = L^2, solved for the drive of every leg at every pose.
 
-Arrays carry the poses on their last axis; vectors of a leg have shape (legs, 3, poses).
+Arrays carry the poses on their last axis; vectors of a leg have shape (legs, 3, poses). Every
+kernel writes into arrays that it is given, so that a driver can run a batch through scratch
+arrays that stay in cache.
 """
 
 import math
 
-import numpy as np
-
 from mechanics.arrays import Floats
 from mechanics.kernels.compiling import kernel
-from mechanics.legs import Legs
+from mechanics.legs import CRANK, RAIL, Legs
+
+ROUNDING = 4.0 * 2.0**-52
+"""A sum of squares is taken as 0 below this share of its terms."""
 
 
 @kernel
-def attach(legs: Legs, positions: Floats, rotations: Floats) -> tuple[Floats, Floats]:
-    """Return the arms rho = R c0 and the spans d = p + rho - A of every leg. [m]"""
-    count = legs.rod_length.size
-    poses = positions.shape[1]
-    arms = np.empty((count, 3, poses))
-    spans = np.empty((count, 3, poses))
-    for k in range(count):
+def turned(a: float, b: float, c: float, vector: Floats) -> float:
+    """Return one coordinate of a turned vector: a row (a, b, c) of the rotation times it."""
+    total: float = a * vector[0] + b * vector[1] + c * vector[2]
+    return total
+
+
+@kernel
+def span(
+    legs: Legs, k: int, positions: Floats, rotations: Floats, i: int
+) -> tuple[float, float, float]:
+    """Return d = p + R c0 - A of one leg at pose i. [m]"""
+    c0, A = legs.platform_point[k], legs.base_point[k]
+    return (
+        positions[0, i] + turned(rotations[0, i], rotations[1, i], rotations[2, i], c0) - A[0],
+        positions[1, i] + turned(rotations[3, i], rotations[4, i], rotations[5, i], c0) - A[1],
+        positions[2, i] + turned(rotations[6, i], rotations[7, i], rotations[8, i], c0) - A[2],
+    )
+
+
+@kernel
+def attach(legs: Legs, positions: Floats, rotations: Floats, arms: Floats, spans: Floats) -> None:
+    """Write the arms rho = R c0 and the spans d = p + rho - A of every leg. [m]"""
+    for k in range(legs.drive.size):
+        c0 = legs.platform_point[k]
         for j in range(3):
             # One coordinate at a time: three plain streams, which the compiler vectorises.
-            row = rotations[3 * j : 3 * j + 3]
-            x, y, z = (
-                legs.platform_point[k, 0],
-                legs.platform_point[k, 1],
-                legs.platform_point[k, 2],
-            )
+            a, b, c = rotations[3 * j], rotations[3 * j + 1], rotations[3 * j + 2]
+            position, rho, d = positions[j], arms[k, j], spans[k, j]
             base = legs.base_point[k, j]
-            arm = arms[k, j]
-            span = spans[k, j]
-            for i in range(poses):
-                arm[i] = row[0, i] * x + row[1, i] * y + row[2, i] * z
-                span[i] = positions[j, i] + arm[i] - base
-    return arms, spans
+            for i in range(position.size):
+                rho[i] = turned(a[i], b[i], c[i], c0)
+                d[i] = position[i] + rho[i] - base
 
 
 @kernel
@@ -48,38 +61,12 @@ def crank_equation(
     L = legs.rod_length[k]
     P = 2.0 * r * (x * e[0] + y * e[1] + z * e[2])
     Q = 2.0 * r * (x * f[0] + y * f[1] + z * f[2])
-    S = x * x + y * y + z * z + r * r - L * L
+    square = x * x + y * y + z * z
+    S = square + r * r - L * L
+    # Rounding must not make a leg unreachable whose rod's end lies on the crank's axis.
+    if abs(S) <= ROUNDING * (square + r * r + L * L):
+        S = 0.0
     return P, Q, S, math.sqrt(P * P + Q * Q)
-
-
-@kernel
-def reach_margins(legs: Legs, spans: Floats) -> Floats:
-    """Return, shape (legs, poses), by how much each leg equation is solvable; < 0: not. [m^2]"""
-    count, _, poses = spans.shape
-    margins = np.empty((count, poses))
-    for k in range(count):
-        for i in range(poses):
-            _, _, S, root = crank_equation(legs, k, spans[k, 0, i], spans[k, 1, i], spans[k, 2, i])
-            margins[k, i] = root - abs(S)
-    return margins
-
-
-@kernel
-def needed_rods(legs: Legs, spans: Floats) -> Floats:
-    """Return, shape (legs, poses), the rod nearest in length to the leg's that would reach. [m]"""
-    count, _, poses = spans.shape
-    rods = np.empty((count, poses))
-    for k in range(count):
-        a = legs.axis[k]
-        r = legs.crank_length[k]
-        for i in range(poses):
-            x, y, z = spans[k, 0, i], spans[k, 1, i], spans[k, 2, i]
-            height = x * a[0] + y * a[1] + z * a[2]
-            radius = math.sqrt(max(x * x + y * y + z * z - height * height, 0.0))
-            near = math.sqrt((radius - r) ** 2 + height * height)
-            far = math.sqrt((radius + r) ** 2 + height * height)
-            rods[k, i] = min(max(legs.rod_length[k], near), far)
-    return rods
 
 
 @kernel
@@ -98,51 +85,159 @@ def crank_turn(P: float, Q: float, S: float, root: float, sign: float) -> tuple[
 
 
 @kernel
-def cranks(legs: Legs, spans: Floats) -> tuple[Floats, Floats]:
-    """Return cosines and sines, shape (legs, poses), of the crank angles; NaN: out of reach."""
-    count, _, poses = spans.shape
-    cosines = np.empty((count, poses))
-    sines = np.empty((count, poses))
-    for k in range(count):
-        sign = legs.working_mode[k]
-        for i in range(poses):
-            P, Q, S, root = crank_equation(legs, k, spans[k, 0, i], spans[k, 1, i], spans[k, 2, i])
-            cosines[k, i], sines[k, i] = crank_turn(P, Q, S, root, sign)
-    return cosines, sines
+def rail_equation(legs: Legs, k: int, x: float, y: float, z: float) -> tuple[float, float]:
+    """Return d.s and L^2 less the squared distance of c from the rail; < 0: no reach. [m, m^2]"""
+    s = legs.axis[k]
+    L = legs.rod_length[k]
+    along = x * s[0] + y * s[1] + z * s[2]
+    u = x - along * s[0]
+    v = y - along * s[1]
+    w = z - along * s[2]
+    return along, L * L - (u * u + v * v + w * w)
 
 
 @kernel
-def angles(cosines: Floats, sines: Floats) -> Floats:
-    """Return the angles of these cosines and sines, in (-pi, pi]. [rad]"""
-    count, poses = cosines.shape
-    turned = np.empty((count, poses))
-    for k in range(count):
-        for i in range(poses):
-            angle = math.atan2(sines[k, i], cosines[k, i])
-            turned[k, i] = math.pi if angle == -math.pi else angle
-    return turned
+def rail_coordinate(legs: Legs, k: int, x: float, y: float, z: float) -> float:
+    """Return d.s +- the root of what is left of the rod; NaN: no reach. [m]"""
+    along, square = rail_equation(legs, k, x, y, z)
+    reached: float = along + legs.working_mode[k] * math.sqrt(square)
+    return reached
 
 
 @kernel
-def rods(legs: Legs, spans: Floats, cosines: Floats, sines: Floats) -> tuple[Floats, Floats]:
-    """Return the unit rod directions u = (c - B) / L, shape (legs, 3, poses), and Jpsi = u B'.
+def strut_length(x: float, y: float, z: float) -> float:
+    """Return |d|. [m]"""
+    return math.sqrt(x * x + y * y + z * z)
 
-    Jpsi, shape (legs, poses), is in m for a crank.
-    """
-    count, _, poses = spans.shape
-    directions = np.empty((count, 3, poses))
-    drive_rates = np.empty((count, poses))
-    for k in range(count):
-        e = legs.zero_direction[k]
-        f = legs.quarter_direction[k]
+
+@kernel
+def crank_angle(cosine: float, sine: float) -> float:
+    """Return the angle of this cosine and sine, in (-pi, pi]. [rad]"""
+    angle: float = math.atan2(sine, cosine)
+    return math.pi if angle == -math.pi else angle
+
+
+@kernel
+def reach_margins(legs: Legs, spans: Floats, margins: Floats) -> None:
+    """Write, shape (legs, poses), by how much each leg equation is solvable; < 0: not. [m^2]"""
+    for k in range(legs.drive.size):
+        x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
+        margin = margins[k]
+        if legs.drive[k] == CRANK:
+            for i in range(x.size):
+                _, _, S, root = crank_equation(legs, k, x[i], y[i], z[i])
+                margin[i] = root - abs(S)
+        elif legs.drive[k] == RAIL:
+            for i in range(x.size):
+                margin[i] = rail_equation(legs, k, x[i], y[i], z[i])[1]
+        else:
+            for i in range(x.size):
+                square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i]
+                # A strut of no length has no direction.
+                margin[i] = square if square > 0.0 else -math.inf
+
+
+@kernel
+def needed_rods(legs: Legs, spans: Floats, rods: Floats) -> None:
+    """Write, shape (legs, poses), the rod nearest in length to the leg's that would reach. [m]"""
+    for k in range(legs.drive.size):
+        a = legs.axis[k]
         r = legs.crank_length[k]
         L = legs.rod_length[k]
-        for i in range(poses):
-            c, s = cosines[k, i], sines[k, i]
-            rate = 0.0
-            for j in range(3):
-                u = (spans[k, j, i] - r * (e[j] * c + f[j] * s)) / L
-                directions[k, j, i] = u
-                rate += u * r * (f[j] * c - e[j] * s)
-            drive_rates[k, i] = rate
-    return directions, drive_rates
+        for i in range(spans.shape[2]):
+            x, y, z = spans[k, 0, i], spans[k, 1, i], spans[k, 2, i]
+            height = x * a[0] + y * a[1] + z * a[2]
+            u = x - height * a[0]
+            v = y - height * a[1]
+            w = z - height * a[2]
+            radius = math.sqrt(u * u + v * v + w * w)
+            if legs.drive[k] == CRANK:
+                near = math.sqrt((radius - r) ** 2 + height * height)
+                far = math.sqrt((radius + r) ** 2 + height * height)
+                rods[k, i] = min(max(L, near), far)
+            elif legs.drive[k] == RAIL:
+                rods[k, i] = max(L, radius)
+            else:
+                rods[k, i] = math.sqrt(x * x + y * y + z * z)
+
+
+@kernel
+def travels(legs: Legs, spans: Floats, travel: Floats) -> None:
+    """Write how far the drives have moved, shape (legs, 2, poses); NaN: out of reach.
+
+    Cosine and sine of a crank's angle; a rail's or strut's coordinate and nothing. [-, m]
+    """
+    for k in range(legs.drive.size):
+        x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
+        first, second = travel[k, 0], travel[k, 1]
+        sign = legs.working_mode[k]
+        if legs.drive[k] == CRANK:
+            for i in range(x.size):
+                P, Q, S, root = crank_equation(legs, k, x[i], y[i], z[i])
+                first[i], second[i] = crank_turn(P, Q, S, root, sign)
+        elif legs.drive[k] == RAIL:
+            for i in range(x.size):
+                first[i] = rail_coordinate(legs, k, x[i], y[i], z[i])
+        else:
+            for i in range(x.size):
+                first[i] = strut_length(x[i], y[i], z[i])
+
+
+@kernel
+def coordinates(legs: Legs, travel: Floats, values: Floats) -> None:
+    """Write the drive coordinates, shape (legs, poses); crank angles in (-pi, pi]. [rad or m]"""
+    for k in range(legs.drive.size):
+        first, second, value = travel[k, 0], travel[k, 1], values[k]
+        if legs.drive[k] == CRANK:
+            for i in range(first.size):
+                value[i] = crank_angle(first[i], second[i])
+        else:
+            for i in range(first.size):
+                value[i] = first[i]
+
+
+@kernel
+def rods(
+    legs: Legs, spans: Floats, travel: Floats, directions: Floats, drive_rates: Floats
+) -> None:
+    """Write rod directions u = (c - B) / L, shape (legs, 3, poses), and Jpsi = u B'. [-, m or -]
+
+    Jpsi, shape (legs, poses), is in m for a crank and a number for rails and struts.
+    """
+    for k in range(legs.drive.size):
+        x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
+        first, second = travel[k, 0], travel[k, 1]
+        u, v, w = directions[k, 0], directions[k, 1], directions[k, 2]
+        rate = drive_rates[k]
+        L = legs.rod_scale[k]
+        if legs.drive[k] == CRANK:
+            r = legs.crank_length[k]
+            e0, e1, e2 = _three(legs.zero_direction[k])
+            f0, f1, f2 = _three(legs.quarter_direction[k])
+            for i in range(x.size):
+                c, s = r * first[i], r * second[i]
+                u[i] = (x[i] - (e0 * c + f0 * s)) / L
+                v[i] = (y[i] - (e1 * c + f1 * s)) / L
+                w[i] = (z[i] - (e2 * c + f2 * s)) / L
+                rate[i] = (
+                    u[i] * (f0 * c - e0 * s) + v[i] * (f1 * c - e1 * s) + w[i] * (f2 * c - e2 * s)
+                )
+        elif legs.drive[k] == RAIL:
+            s0, s1, s2 = _three(legs.axis[k])
+            for i in range(x.size):
+                u[i] = (x[i] - first[i] * s0) / L
+                v[i] = (y[i] - first[i] * s1) / L
+                w[i] = (z[i] - first[i] * s2) / L
+                rate[i] = u[i] * s0 + v[i] * s1 + w[i] * s2
+        else:
+            for i in range(x.size):
+                length = first[i] if first[i] > 0.0 else math.nan
+                u[i] = x[i] / length
+                v[i] = y[i] / length
+                w[i] = z[i] / length
+                rate[i] = 1.0
+
+
+@kernel
+def _three(vector: Floats) -> tuple[float, float, float]:
+    return vector[0], vector[1], vector[2]

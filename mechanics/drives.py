@@ -1,0 +1,30 @@
+"""Drives that cannot move the platform: their leg is stretched or folded."""
+
+import numpy as np
+
+from mechanics.arrays import Booleans
+from mechanics.configuration import Configuration
+from mechanics.legs import CRANK, STRUT
+
+TOLERANCE = 1e-7
+"""A leg counts as stretched or folded within this angle.
+
+The angle goes with the root of how near the leg is to its end, so rounding alone makes 1e-8. [rad]
+"""
+
+
+def dead_drives(block: Configuration) -> Booleans:
+    """Return, shape (legs, poses), which drives have Jpsi = 0: those of a type 1 singularity.
+
+    Jpsi over the sizes of rod direction and moving point's rate is the cosine between the two.
+    """
+    legs = block.mechanism.legs
+    moved = np.where(legs.drive == CRANK, legs.crank_length, 1.0)
+    rods = np.where(
+        legs.drive == STRUT,
+        1.0,
+        legs.rod_length / np.where(legs.drive == STRUT, 1.0, legs.rod_scale),
+    )
+    cosines = block.rods[1] / (moved * rods)[:, None]
+    dead: Booleans = np.abs(cosines) <= TOLERANCE
+    return dead
