@@ -13,7 +13,7 @@ from analyses.desk import (
     plan,
     warm,
 )
-from analyses.errors import AnalysisError
+from analyses.errors import AnalysisError, pointer
 from analyses.mechanisms import check_mechanism
 from analyses.plan import Plan
 from analyses.workspace_grid import check_picture, dense_grid, picture
@@ -35,5 +35,6 @@ __all__ = [
     "parse",
     "picture",
     "plan",
+    "pointer",
     "warm",
 ]

@@ -6,6 +6,9 @@ import numpy as np
 
 from mechanics.arrays import Floats
 
+BYTES_PER_NUMBER = 22
+"""A float of full precision in JSON, with its separator."""
+
 
 def nullable(values: Floats) -> list[Any]:
     """Return the values as nested lists with None where there is no number."""

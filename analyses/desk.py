@@ -8,16 +8,23 @@ from analyses.analysis import Analysis, Arrays
 from analyses.effort import Effort
 from analyses.inverse_kinematics import InverseKinematics
 from analyses.kinds import kinds
+from analyses.mechanisms import check_mechanism
 from analyses.plan import Plan
+from analyses.singularity import Singularity
+from analyses.velocity import Velocity
 from analyses.workspace import Workspace
 from schemas.analyses import Request, parse_request
 from schemas.estimates import Estimate
 from schemas.examples import EXAMPLES
 from schemas.kinds import Kind
+from schemas.mechanisms import StoredMechanism
 from schemas.quantities import Model
 
 ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
-    {analysis.name: analysis for analysis in (InverseKinematics(), Effort(), Workspace())}
+    {
+        analysis.name: analysis
+        for analysis in (InverseKinematics(), Velocity(), Effort(), Singularity(), Workspace())
+    }
 )
 
 
@@ -28,6 +35,8 @@ def parse(text: str) -> Request:
 
 def check(request: Request, node_limit: int) -> None:
     """Raise AnalysisError if the request makes no sense; nothing large is allocated."""
+    if not isinstance(request.mechanism, StoredMechanism):
+        check_mechanism(request.mechanism)
     ANALYSES[request.analysis].check(request, node_limit)
 
 

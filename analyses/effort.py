@@ -1,28 +1,28 @@
 """Effort: what the drives must bear under a load on the platform."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from analyses.analysis import Analysis, Arrays, joined
-from analyses.columns import nullable, nullable_vectors
-from analyses.errors import AnalysisError
-from analyses.inverse_kinematics import BYTES_PER_NUMBER
+from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
-from analyses.poses import check_poses, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.poses import check_poses, check_rows, obstacle_rows, obstacles, pose_conditions, signs
 from analyses.units import effort_units
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 from mechanics.effort import signed_efforts, worst_efforts, worst_load
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
-from schemas.effort import EffortRequest, EffortResult, KnownLoad
+from mechanics.platforms import Platform, inertial_wrench
+from schemas.effort import EffortRequest, EffortResult, KnownLoad, LoadSize, PlatformBody
 from schemas.poses import Obstacle
 from schemas.quantities import Model
 
 SECONDS_PER_LEG = 2e-6
 NUMBERS_PER_EFFORT = 7
+STANDARD_GRAVITY = [0.0, 0.0, -9.80665]
 
 
 class Effort(Analysis[EffortRequest]):
@@ -33,8 +33,13 @@ class Effort(Analysis[EffortRequest]):
     def check(self, request: EffortRequest, node_limit: int) -> None:
         """Raise AnalysisError if poses, working mode or loads do not fit."""
         check_poses(_mechanism(request), request.poses)
+        count = len(request.poses)
         if request.known_load is not None:
-            _check_rows(request.known_load, len(request.poses))
+            _check_known(request.known_load, count)
+        for name in ("platform_rates", "platform_accelerations"):
+            rows = getattr(request, name)
+            if rows is not None and len(rows) != 1:
+                check_rows(f"/{name}", rows, count, 6)
 
     def items(self, request: EffortRequest) -> int:
         """Return the number of poses."""
@@ -55,7 +60,7 @@ class Effort(Analysis[EffortRequest]):
         mechanism = _mechanism(request)
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         block = Configuration(mechanism, poses)
-        load = _load(request, start, stop)
+        load = _load(request, block, start, stop)
         found = obstacles(block, pose_conditions(mechanism), start, singular=True)
         if request.load is None:
             return {"effort": signed_efforts(block, load).T, **found}
@@ -89,32 +94,43 @@ def _mechanism(request: EffortRequest) -> Mechanism:
     return build(request.mechanism, request.working_mode)
 
 
-def _check_rows(known: KnownLoad, poses: int) -> None:
+def _check_known(known: KnownLoad, poses: int) -> None:
     for name in ("force", "moment"):
         vectors = getattr(known, name)
-        if vectors is not None and isinstance(vectors[0], list) and len(vectors) != poses:
-            raise AnalysisError(
-                (
-                    f"/known_load/{name}",
-                    f"must be one vector, or one per pose, that is {poses}; given {len(vectors)}",
-                )
-            )
+        if vectors is not None and isinstance(vectors[0], list):
+            check_rows(f"/known_load/{name}", vectors, poses, 3)
 
 
-def _load(request: EffortRequest, start: int, stop: int) -> Load:
-    size = request.load
-    known = request.known_load
-    wrench = (
-        np.zeros((6, 1))
-        if known is None
-        else np.ascontiguousarray(
-            np.concatenate([_vectors(v, start, stop) for v in (known.force, known.moment)])
-        )
+def _load(request: EffortRequest, block: Configuration, start: int, stop: int) -> Load:
+    size = request.load or LoadSize()
+    wrench = np.zeros((6, stop - start))
+    if request.known_load is not None:
+        known = request.known_load
+        wrench[:3] += _vectors(known.force or [0.0] * 3, start, stop)
+        wrench[3:] += _vectors(known.moment or [0.0] * 3, start, stop)
+    if request.platform is not None:
+        wrench += _inertial(request, request.platform, block, start, stop)
+    return Load(size.force, size.moment, wrench)
+
+
+def _inertial(
+    request: EffortRequest, body: PlatformBody, block: Configuration, start: int, stop: int
+) -> Floats:
+    return inertial_wrench(
+        Platform(
+            body.mass,
+            np.array(body.centre_of_mass or [0.0] * 3),
+            np.array(body.inertia or np.zeros((3, 3))),
+        ),
+        block.placement[1],
+        _vectors(request.platform_rates or [0.0] * 6, start, stop),
+        _vectors(request.platform_accelerations or [0.0] * 6, start, stop),
+        np.array(body.gravity or STANDARD_GRAVITY),
     )
-    return Load(0.0 if size is None else size.force, 0.0 if size is None else size.moment, wrench)
 
 
-def _vectors(vectors: list[float] | list[list[float]] | None, start: int, stop: int) -> Floats:
-    rows = np.atleast_2d(np.array(vectors or [0.0, 0.0, 0.0], dtype=float))
+def _vectors(vectors: Sequence[float] | Sequence[Sequence[float]], start: int, stop: int) -> Floats:
+    """Return vectors, one for all or one per pose, as columns of the poses `start` to `stop`."""
+    rows = np.atleast_2d(np.array(vectors, dtype=float))
     chosen = rows[start:stop] if len(rows) > 1 else rows
-    return np.array(np.broadcast_to(chosen.T, (3, stop - start)))
+    return np.array(np.broadcast_to(chosen.T, (rows.shape[1], stop - start)))

@@ -17,3 +17,8 @@ class AnalysisError(ValueError):
     def detail(self) -> str:
         """All that is wrong, in one line."""
         return str(self)
+
+
+def pointer(*steps: object) -> str:
+    """Return the JSON pointer of these steps, RFC 6901."""
+    return "".join("/" + str(step).replace("~", "~0").replace("/", "~1") for step in steps)

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from analyses.analysis import Analysis, Arrays, joined
-from analyses.columns import nullable
+from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.mechanisms import build
 from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
 from analyses.units import drive_units
@@ -21,8 +21,6 @@ from schemas.poses import Obstacle
 from schemas.quantities import Model
 
 SECONDS_PER_LEG = 1e-6
-BYTES_PER_NUMBER = 22
-"""A float of full precision in JSON, with its separator."""
 
 
 class InverseKinematics(Analysis[InverseKinematicsRequest]):
@@ -69,7 +67,10 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
     def assemble(self, request: InverseKinematicsRequest, stretches: Iterable[Arrays]) -> Model:
         """Return the columns of all poses."""
         arrays = joined(stretches)
-        rows = obstacle_rows(arrays)
+        # By mode, then by pose, however the poses were cut into stretches.
+        order = np.lexsort((arrays["obstacle_pose"], arrays["obstacle_mode"]))
+        unordered = obstacle_rows(arrays)
+        rows = [unordered[n] for n in order]
         units = drive_units(_mechanism(request))
         actuators = np.moveaxis(arrays["actuators"], 1, 0)
         reachable = arrays["reachable"].T
@@ -82,7 +83,7 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
                 actuators=nullable(actuators[0]),
                 obstacles=[Obstacle.model_construct(**row) for row in rows],
             )
-        modes = arrays["obstacle_mode"].tolist()
+        modes = arrays["obstacle_mode"][order].tolist()
         return InverseKinematicsAllModesResult.model_construct(
             analysis=self.name,
             working_modes=_modes(request),

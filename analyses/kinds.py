@@ -2,9 +2,14 @@
 
 from analyses.mechanisms import build
 from analyses.units import coordinate_units
+from mechanics.legs import ARC_JOINTS, CRANK, RAIL, STRUT
+from mechanics.mechanism import Mechanism
 from schemas.kinds import Kind
 from schemas.mechanisms import KINDS
 from schemas.presets import PRESETS
+from schemas.starters import STARTERS
+
+DRIVES = {CRANK: "crank", RAIL: "rail", STRUT: "strut"}
 
 
 def kinds(analyses: list[str]) -> list[Kind]:
@@ -15,17 +20,28 @@ def kinds(analyses: list[str]) -> list[Kind]:
 def _kind(name: str, analyses: list[str]) -> Kind:
     spec = KINDS[name]
     presets = [preset for preset in PRESETS if preset.mechanism.kind == name]
-    example = presets[0].mechanism
+    example = STARTERS[name]
     mechanism = build(example)
+    motion = mechanism.motion
+    # A workspace is of positions; a platform that only turns has none.
+    offered = [a for a in analyses if a != "workspace" or motion.translations]
     return Kind(
         kind=name,
         title=(spec.__doc__ or name).split("\n")[0],
-        motion=mechanism.motion.name,
-        coordinates=list(mechanism.motion.coordinates),
-        coordinate_units=coordinate_units(mechanism.motion),
-        drives=["crank"] * mechanism.leg_count,
-        analyses=analyses,
+        motion=motion.name,
+        coordinates=list(motion.coordinates),
+        coordinate_units=coordinate_units(motion),
+        drives=_drives(mechanism),
+        analyses=offered,
         json_schema=spec.model_json_schema(),
         example=example,
         presets=presets,
     )
+
+
+def _drives(mechanism: Mechanism) -> list[str]:
+    legs = mechanism.legs
+    return [
+        "arc" if joints == ARC_JOINTS else DRIVES[int(drive)]
+        for drive, joints in zip(legs.drive, legs.joints, strict=True)
+    ]

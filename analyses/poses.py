@@ -13,6 +13,7 @@ from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
+from mechanics.drives import dead_drives
 from mechanics.mechanism import Mechanism
 
 NO_LEG = -1
@@ -35,6 +36,17 @@ def check_poses(mechanism: Mechanism, poses: Sequence[Sequence[float]]) -> None:
             )
 
 
+def check_rows(pointer: str, rows: Sequence[Sequence[float]], poses: int, width: int) -> None:
+    """Raise AnalysisError unless there is a row of `width` numbers for each pose."""
+    if len(rows) != poses:
+        detail = f"must have one row per pose, that is {poses}; given {len(rows)}"
+        raise AnalysisError((pointer, detail))
+    for number, row in enumerate(rows):
+        if len(row) != width:
+            detail = f"must have {width} numbers; given {len(row)}"
+            raise AnalysisError((f"{pointer}/{number}", detail))
+
+
 def pose_conditions(mechanism: Mechanism) -> tuple[Condition, Condition]:
     """Return what a pose must meet for the drives to hold it."""
     return Reach(mechanism), ActuatorLimits(mechanism)
@@ -48,16 +60,24 @@ def holds(block: Configuration, conditions: Sequence[Condition]) -> Booleans:
 
 
 def obstacles(
-    block: Configuration, conditions: Sequence[Condition], start: int, *, singular: bool = False
+    block: Configuration,
+    conditions: Sequence[Condition],
+    start: int,
+    *,
+    singular: bool = False,
+    dead_drives: bool = False,
 ) -> Arrays:
     """Return one entry per pose and leg at which a condition fails, ordered by pose.
 
     The arrays are those of `ITEM_ARRAYS`, prefixed `obstacle_`; `start` is added to the poses.
-    With `singular` also the poses that all legs reach and where det Jx is 0.
+    With `singular` also the poses that all legs reach and where det Jx is 0; with `dead_drives`
+    the legs that are stretched or folded, whose drive cannot move the platform.
     """
     found = [_breaches(block, condition) for condition in conditions]
     if singular:
         found.append(_singularities(block))
+    if dead_drives:
+        found.append(_dead_drives(block))
     columns = [np.concatenate(parts) for parts in zip(*found, strict=True)]
     order = np.argsort(columns[0], kind="stable")
     columns[0] = columns[0] + start
@@ -88,6 +108,13 @@ def _singularities(block: Configuration) -> tuple[NDArray[Any], ...]:
     nothing = np.zeros(pose.size)
     legs = np.full(pose.size, NO_LEG)
     return _entries(pose, legs, np.full(pose.size, REASONS.index("singularity")), nothing, nothing)
+
+
+def _dead_drives(block: Configuration) -> tuple[NDArray[Any], ...]:
+    leg, pose = np.nonzero(dead_drives(block))
+    nothing = np.zeros(pose.size)
+    reasons = np.full(pose.size, REASONS.index("singularity"))
+    return _entries(pose, leg, reasons, nothing, nothing)
 
 
 def _entries(*columns: NDArray[Any]) -> tuple[NDArray[Any], ...]:

@@ -1,17 +1,23 @@
 """Units of what is answered, by the drives and coordinates they belong to."""
 
+from mechanics.legs import ARC_JOINTS, CRANK
 from mechanics.mechanism import Mechanism
 from mechanics.motions import Motion
 
 
 def drive_units(mechanism: Mechanism) -> list[str]:
     """Return the unit of each leg's drive coordinate."""
-    return ["rad"] * mechanism.leg_count
+    return ["rad" if drive == CRANK else "m" for drive in mechanism.legs.drive]
+
+
+def rate_units(mechanism: Mechanism) -> list[str]:
+    """Return the unit of each leg's drive rate."""
+    return [f"{unit}/s" for unit in drive_units(mechanism)]
 
 
 def effort_units(mechanism: Mechanism) -> list[str]:
-    """Return the unit of each drive's effort."""
-    return ["N·m"] * mechanism.leg_count
+    """Return the unit of each drive's effort: a crank's torque, a rail's or strut's force."""
+    return ["N·m" if drive == CRANK else "N" for drive in mechanism.legs.drive]
 
 
 def coordinate_units(motion: Motion) -> list[str]:
@@ -24,3 +30,22 @@ def power_unit(bases: list[str]) -> str:
     marks = {1: "", 2: "²", 3: "³"}
     gathered = {base: bases.count(base) for base in bases}
     return "·".join(f"{base}{marks.get(n, f'^{n}')}" for base, n in gathered.items()) or "-"
+
+
+def shared_unit(units: list[str]) -> str:
+    """Return the unit that all share, or all units that occur, joined by 'or'."""
+    return " or ".join(dict.fromkeys(units))
+
+
+def determinant_unit(mechanism: Mechanism) -> str:
+    """Return the unit of det Jx: m for every turn; an arc's row is a number."""
+    turns = (
+        0
+        if mechanism.motion.name == "spherical" and _only_arcs(mechanism)
+        else len(mechanism.motion.turns)
+    )
+    return {0: "-", 1: "m", 2: "m²", 3: "m³"}[turns]
+
+
+def _only_arcs(mechanism: Mechanism) -> bool:
+    return bool((mechanism.legs.joints == ARC_JOINTS).all())

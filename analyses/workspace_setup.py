@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from decimal import ROUND_CEILING, Context
 
 import numpy as np
 
-from analyses.errors import AnalysisError
+from analyses.errors import AnalysisError, pointer
 from analyses.mechanisms import build
-from analyses.units import effort_units
+from analyses.units import determinant_unit, drive_units, effort_units, shared_unit
 from mechanics import fields as kept
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
@@ -122,15 +123,15 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
     errors = []
     seen: set[str] = set()
     for k, axis in enumerate(request.grid):
-        pointer = f"/grid/{k}/coordinate"
+        place = f"/grid/{k}/coordinate"
         if axis.coordinate not in motion.coordinates:
-            errors.append((pointer, f"given {axis.coordinate!r}; allowed: {allowed}"))
+            errors.append((place, f"given {axis.coordinate!r}; allowed: {allowed}"))
         elif axis.coordinate in seen:
-            errors.append((pointer, f"{axis.coordinate!r} has an axis already"))
+            errors.append((place, f"{axis.coordinate!r} has an axis already"))
         elif axis.coordinate in motion.turns:
             errors.append(
                 (
-                    pointer,
+                    place,
                     f"{axis.coordinate!r} turns the platform; the type constant_orientation "
                     "needs it in `fixed`",
                 )
@@ -138,7 +139,7 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
         seen.add(axis.coordinate)
     for name in request.fixed:
         if name not in motion.coordinates:
-            errors.append((f"/fixed/{name}", f"given {name!r}; allowed: {allowed}"))
+            errors.append((pointer("fixed", name), f"given {name!r}; allowed: {allowed}"))
         elif name in seen:
             errors.append((f"/fixed/{name}", f"{name!r} is on the grid already"))
     missing = [c for c in motion.coordinates if c not in seen and c not in request.fixed]
@@ -163,6 +164,10 @@ def _constructive_errors(request: WorkspaceRequest, mechanism: Mechanism) -> lis
 def _effective_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[tuple[str, str]]:
     errors = []
     bounds = request.effective
+    units = effort_units(mechanism)
+    if bounds is not None and isinstance(bounds.max_effort, float) and len(set(units)) > 1:
+        detail = f"drives bear {shared_unit(units)}; give one number per leg"
+        errors.append(("/effective/max_effort", detail))
     if request.class_ == "effective" and (bounds is None or bounds.max_effort is None):
         errors.append(("/effective/max_effort", "the class effective needs a bound; it is missing"))
     if bounds is not None and isinstance(bounds.max_effort, list):
@@ -184,10 +189,9 @@ def _size_errors(request: WorkspaceRequest, node_limit: int) -> list[tuple[str, 
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
     if nodes <= node_limit:
         return []
-    coarser = (nodes / node_limit) ** (1.0 / len(axes))
-    while math.prod(_coarser(axis, coarser).intervals + 1.0 for axis in axes) > node_limit:
-        coarser *= 1.0 + 1e-6
-    steps = ", ".join(f"{axis.coordinate}: {axis.step * coarser:.6g}" for axis in axes)
+    factor = _coarsening(axes, node_limit)
+    coarse = [_coarser(axis, factor) for axis in axes]
+    steps = ", ".join(f"{axis.coordinate}: {_rounded_up(axis.step)}" for axis in coarse)
     return [
         (
             "/grid",
@@ -197,18 +201,39 @@ def _size_errors(request: WorkspaceRequest, node_limit: int) -> list[tuple[str, 
     ]
 
 
+def _coarsening(axes: list[Axis], node_limit: int) -> float:
+    """Return the least factor, to a millionth, on all steps with which the grid fits."""
+
+    def fits(factor: float) -> bool:
+        counts = (_coarser(axis, factor).intervals + 1.0 for axis in axes)
+        return math.prod(counts) <= node_limit
+
+    low, high = 1.0, 2.0 * max(axis.intervals + 1.0 for axis in axes)
+    while high > low * (1.0 + 1e-6):
+        middle = math.sqrt(low * high)
+        low, high = (low, middle) if fits(middle) else (middle, high)
+    return high
+
+
 def _coarser(axis: Axis, factor: float) -> Axis:
-    return Axis(axis.coordinate, axis.minimum, axis.maximum, axis.step * factor)
+    # A step a little beyond the axis leaves one node; a longer one says no more.
+    longest = max(axis.step, 1.001 * (axis.maximum - axis.minimum))
+    return replace(axis, step=min(axis.step * factor, longest))
+
+
+def _rounded_up(step: float) -> str:
+    """Return a step in six digits, not below what it is: the grid must still fit."""
+    context = Context(prec=6, rounding=ROUND_CEILING)
+    return f"{context.create_decimal_from_float(step):g}"
 
 
 def field_units(request: WorkspaceRequest, mechanism: Mechanism) -> dict[str, str]:
     """Return the unit of each field asked for."""
-    effort = effort_units(mechanism)[0]
-    turns = len(mechanism.motion.turns)
+    effort = shared_unit(effort_units(mechanism))
     units = {
         "effort": effort,
         "effort_max": effort,
-        "determinant": {0: "-", 1: "m"}.get(turns, f"m^{turns}"),
-        "actuators": "rad",
+        "determinant": determinant_unit(mechanism),
+        "actuators": shared_unit(drive_units(mechanism)),
     }
     return {name: units[name] for name in request.fields}

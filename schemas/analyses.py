@@ -10,12 +10,25 @@ from schemas.inverse_kinematics import (
     InverseKinematicsRequest,
     InverseKinematicsResult,
 )
+from schemas.singularity import SingularityRequest, SingularityResult
+from schemas.velocity import VelocityRequest, VelocityResult
 from schemas.workspace import WorkspaceRequest, WorkspaceResult
 
-Request = InverseKinematicsRequest | EffortRequest | WorkspaceRequest
+Request = (
+    InverseKinematicsRequest
+    | VelocityRequest
+    | EffortRequest
+    | SingularityRequest
+    | WorkspaceRequest
+)
 AnalysisRequest = Annotated[Request, Field(discriminator="analysis")]
 AnalysisResult = (
-    InverseKinematicsResult | InverseKinematicsAllModesResult | EffortResult | WorkspaceResult
+    InverseKinematicsResult
+    | InverseKinematicsAllModesResult
+    | VelocityResult
+    | EffortResult
+    | SingularityResult
+    | WorkspaceResult
 )
 
 _REQUESTS: TypeAdapter[Request] = TypeAdapter(AnalysisRequest)

@@ -4,7 +4,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from schemas.mechanisms import Mechanism, WorkingMode
+from schemas.legged import Vector, WorkingMode
+from schemas.mechanisms import Mechanism
 from schemas.poses import Obstacle, Poses
 from schemas.quantities import Finite, Model, Size
 
@@ -14,7 +15,6 @@ def _shape(value: Any) -> str:  # noqa: ANN401
     return "rows" if isinstance(value, list) and value and isinstance(value[0], list) else "vector"
 
 
-Vector = Annotated[list[Finite], Field(min_length=3, max_length=3)]
 Rows = Annotated[list[Vector], Field(min_length=1)]
 Vectors = Annotated[
     Annotated[Vector, Tag("vector")] | Annotated[Rows, Tag("rows")], Discriminator(_shape)
@@ -39,12 +39,32 @@ class KnownLoad(Model):
     )
 
 
+Matrix = Annotated[list[Vector], Field(min_length=3, max_length=3)]
+Twist = Annotated[list[Finite], Field(min_length=6, max_length=6)]
+
+
+class PlatformBody(Model):
+    """A rigid body on the platform, whose weight and inertia the drives must bear."""
+
+    mass: Size = Field(description="[kg]")
+    centre_of_mass: Vector | None = Field(
+        default=None, description="In the platform's frame; its reference point by default. [m]"
+    )
+    inertia: Matrix | None = Field(
+        default=None,
+        description="About the centre of mass, in the platform's frame; none by default. [kg m^2]",
+    )
+    gravity: Vector | None = Field(
+        default=None, description="In the base frame; [0, 0, -9.80665] by default. [m/s^2]"
+    )
+
+
 class EffortRequest(Model):
-    """Ask for drive efforts at poses; `load`, `known_load` or both must be given.
+    """Ask for drive efforts at poses under a `load`, a `known_load` or a platform's body.
 
     With `load` the answer is the greatest effort over all directions of its force and its
-    moment (each in its own worst direction), on top of `known_load`; with `known_load` alone
-    it is the signed effort.
+    moment (each in its own worst direction), on top of what is known; without it, the signed
+    effort under what is known: `known_load`, and the weight and inertia of `platform`.
     """
 
     analysis: Literal["effort"]
@@ -52,6 +72,16 @@ class EffortRequest(Model):
     poses: Poses
     load: LoadSize | None = None
     known_load: KnownLoad | None = None
+    platform: PlatformBody | None = None
+    platform_rates: list[Twist] | None = Field(
+        default=None,
+        description="[v, w] per pose, or one row for all; only w matters. [m/s, rad/s]",
+    )
+    platform_accelerations: list[Twist] | None = Field(
+        default=None,
+        description="Of the reference point and angular, per pose, or one row for all. "
+        "[m/s^2, rad/s^2]",
+    )
     working_mode: WorkingMode | None = Field(
         default=None,
         description="A branch of the inverse solution; by default the mechanism's own.",
@@ -59,8 +89,11 @@ class EffortRequest(Model):
 
     @model_validator(mode="after")
     def _some_load(self) -> Self:
-        if self.load is None and self.known_load is None:
-            raise ValueError("give load, known_load or both")
+        if self.load is None and self.known_load is None and self.platform is None:
+            raise ValueError("give load, known_load or platform")
+        moving = self.platform_rates is not None or self.platform_accelerations is not None
+        if moving and self.platform is None:
+            raise ValueError("platform_rates and platform_accelerations need a platform")
         return self
 
 

@@ -11,8 +11,10 @@ from typing import Any, NamedTuple
 
 from schemas.analyses import Request
 from schemas.effort import EffortRequest, LoadSize
+from schemas.families import FiveBar
 from schemas.inverse_kinematics import InverseKinematicsRequest
-from schemas.mechanisms import FiveBar
+from schemas.singularity import SingularityRequest
+from schemas.velocity import VelocityRequest
 from schemas.workspace import GridAxis, WorkspaceRequest
 
 
@@ -50,6 +52,26 @@ _INVERSE = Example(
     },
 )
 
+_VELOCITY = Example(
+    "The platform moves along x: both rods only translate",
+    VelocityRequest(
+        analysis="velocity",
+        mechanism=_FIVE_BAR,
+        poses=[[0.0, 0.9]],
+        platform_rates=[[0.3, 0.0, 0.0, 0.0, 0.0, 0.0]],
+    ),
+    {
+        "analysis": "velocity",
+        "working_mode": [1, -1],
+        "units": ["rad/s", "rad/s"],
+        "platform_rates": [[0.3, 0.0, 0.0, 0.0, 0.0, 0.0]],
+        "actuator_rates": [[-0.6, -0.6]],
+        "passive_joints": [["B", "C"], ["B", "C"]],
+        "passive_rates": [[[0.6, 0.0], [0.6, 0.0]]],
+        "obstacles": [],
+    },
+)
+
 _EFFORT = Example(
     "Greatest torques under a force of 10 N in any direction",
     EffortRequest(
@@ -62,6 +84,24 @@ _EFFORT = Example(
         "effort": [[3.125, 3.125]],
         "worst_force": [[[8.0, 6.0, 0.0], [8.0, -6.0, 0.0]]],
         "worst_moment": [[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]],
+        "obstacles": [],
+    },
+)
+
+_SINGULARITY = Example(
+    "Far from singularities",
+    SingularityRequest(analysis="singularity", mechanism=_FIVE_BAR, poses=[[0.0, 0.9]]),
+    {
+        "analysis": "singularity",
+        "working_mode": [1, -1],
+        "determinant": [0.96],
+        "determinant_unit": "-",
+        # The roots of the eigenvalues 0.72 and 1.28 of Jx^T Jx.
+        "condition_number": [4.0 / 3.0],
+        "characteristic_length": 1.0,
+        "type": [0],
+        "pressure_angles": [[math.acos(0.96), math.acos(0.96)]],
+        "free_motion": [None],
         "obstacles": [],
     },
 )
@@ -116,4 +156,4 @@ _WORKSPACE = Example(
     },
 )
 
-EXAMPLES = (_INVERSE, _EFFORT, _WORKSPACE)
+EXAMPLES = (_INVERSE, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE)

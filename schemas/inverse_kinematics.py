@@ -4,7 +4,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from schemas.mechanisms import Mechanism, WorkingMode
+from schemas.legged import WorkingMode
+from schemas.mechanisms import Mechanism
 from schemas.poses import Obstacle, Poses
 from schemas.quantities import Model
 

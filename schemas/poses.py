@@ -26,7 +26,7 @@ class Obstacle(Model):
     leg: int | None = Field(description="The leg, from 0; null where all legs together fail.")
     reason: Literal["reach", "actuator_limits", "singularity"] = Field(
         description="reach: value is the rod that would be needed, limit the leg's own [m]; "
-        "actuator_limits: the drive and its limit; singularity: det Jx, which is 0."
+        "actuator_limits: the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0."
     )
     value: float | None
     limit: float | None

@@ -1,4 +1,7 @@
-"""Numbers as they may arrive: finite, in SI units, within what a mechanism can have."""
+"""Numbers as they may arrive: finite, in SI units, within what a mechanism can have.
+
+Strictly numbers: neither texts that look like one nor truth values.
+"""
 
 from typing import Annotated
 
@@ -12,14 +15,14 @@ def _without_negative_zero(value: float) -> float:
 
 Finite = Annotated[
     float,
-    Field(allow_inf_nan=False, ge=-1e12, le=1e12),
+    Field(strict=True, allow_inf_nan=False, ge=-1e12, le=1e12),
     AfterValidator(_without_negative_zero),
 ]
-Length = Annotated[float, Field(ge=1e-9, le=1e6, allow_inf_nan=False)]
-Angle = Annotated[float, Field(ge=0, le=3.141592653589793, allow_inf_nan=False)]
-Step = Annotated[float, Field(ge=1e-12, le=1e12, allow_inf_nan=False)]
-Size = Annotated[float, Field(ge=0, le=1e12, allow_inf_nan=False)]
-Limit = Annotated[float, Field(gt=0, le=1e12, allow_inf_nan=False)]
+Length = Annotated[float, Field(ge=1e-9, le=1e6, strict=True, allow_inf_nan=False)]
+Angle = Annotated[float, Field(ge=0, le=3.141592653589793, strict=True, allow_inf_nan=False)]
+Step = Annotated[float, Field(ge=1e-12, le=1e12, strict=True, allow_inf_nan=False)]
+Size = Annotated[float, Field(ge=0, le=1e12, strict=True, allow_inf_nan=False)]
+Limit = Annotated[float, Field(gt=0, le=1e12, strict=True, allow_inf_nan=False)]
 
 
 class Model(BaseModel):

@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 from pydantic import Field, ValidationInfo, field_validator
 
 from schemas.effort import LoadSize
-from schemas.mechanisms import Mechanism, WorkingMode
+from schemas.legged import WorkingMode
+from schemas.mechanisms import Mechanism
 from schemas.quantities import Angle, Finite, Limit, Model, Step
 
 WorkspaceClass = Literal["theoretical", "constructive", "effective"]
