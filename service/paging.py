@@ -6,9 +6,14 @@ import json
 from typing import Annotated
 
 from fastapi import Query
+from pydantic import Field, TypeAdapter
 
 from service.refusals import invalid
 from storage import Cursor
+
+_Created = Annotated[float, Field(ge=0, le=1e12, strict=True, allow_inf_nan=False)]
+_Id = Annotated[str, Field(pattern="^[0-9a-z_]+$")]
+_CURSORS: TypeAdapter[tuple[float, str]] = TypeAdapter(tuple[_Created, _Id])
 
 PageSize = Annotated[int, Query(ge=1, le=500, description="Most items of a page.")]
 PageToken = Annotated[
@@ -31,7 +36,6 @@ def cursor_of(token: str | None) -> Cursor | None:
     if token is None:
         return None
     try:
-        created, identifier = json.loads(base64.urlsafe_b64decode(token))
-        return Cursor(float(created), str(identifier))
-    except (binascii.Error, ValueError, TypeError) as error:
+        return Cursor(*_CURSORS.validate_json(base64.urlsafe_b64decode(token)))
+    except (binascii.Error, ValueError) as error:
         raise invalid("?page_token", "not a token that a page gave") from error

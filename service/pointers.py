@@ -1,14 +1,20 @@
 """From the places that pydantic names to JSON pointers into what the caller sent."""
 
+import reprlib
 from collections.abc import Sequence
 from typing import Any
 
-MOST_REPORTED = 20
-LONGEST_INPUT = 80
+import analyses
+
+MOST_READ = 200
+"""Errors of the validator that are looked at; there may be one for every number of a list."""
+
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = 80
 
 
 def field_errors(errors: Sequence[Any], body: Any) -> list[tuple[str, str]]:  # noqa: ANN401
-    """Return pointer and detail of each invalid field, what one field may be gathered.
+    """Return pointer and detail of the first invalid fields, what one field may be gathered.
 
     Parameters
     ----------
@@ -17,34 +23,31 @@ def field_errors(errors: Sequence[Any], body: Any) -> list[tuple[str, str]]:  # 
     """
     messages: dict[str, list[str]] = {}
     given: dict[str, str] = {}
-    for error in errors:
+    for error in errors[:MOST_READ]:
         pointer = _pointer(error, body)
         gathered = messages.setdefault(pointer, [])
         if (message := _message(error)) not in gathered:
             gathered.append(message)
         given[pointer] = _given(error)
-    pairs = [(p, " or ".join(texts) + given[p]) for p, texts in _deepest(messages).items()]
-    if len(pairs) > MOST_REPORTED:
-        more = len(pairs) - MOST_REPORTED
-        return [*pairs[:MOST_REPORTED], ("", f"{more} more fields are invalid")]
-    return pairs
+    return [(p, " or ".join(texts) + given[p]) for p, texts in _deepest(messages).items()]
 
 
-def _deepest(gathered: dict[str, list[str]]) -> dict[str, list[str]]:
+def _deepest(messages: dict[str, list[str]]) -> dict[str, list[str]]:
     # A union complains at the field about every branch that did not fit, and inside the one
     # that was meant: the latter says more.
-    return {
-        pointer: details
-        for pointer, details in gathered.items()
-        if not any(other.startswith(pointer + "/") for other in gathered)
-    }
+    above = {pointer[:cut] for pointer in messages for cut in _cuts(pointer)}
+    return {pointer: texts for pointer, texts in messages.items() if pointer not in above}
+
+
+def _cuts(pointer: str) -> list[int]:
+    return [place for place, sign in enumerate(pointer) if sign == "/"]
 
 
 def _pointer(error: Any, body: Any) -> str:  # noqa: ANN401
     place, *steps = error["loc"]
     if place != "body":
         return f"{'?' if place == 'query' else f'{place}:'}{'.'.join(map(str, steps))}"
-    pointer = ""
+    path = []
     here = body
     for step in steps:
         if _leads_on(here, step):
@@ -52,8 +55,10 @@ def _pointer(error: Any, body: Any) -> str:  # noqa: ANN401
         elif error["type"] not in ("missing", "extra_forbidden") or step is not steps[-1]:
             # The name of a union's branch, which the caller never wrote.
             continue
-        pointer += "/" + str(step).replace("~", "~0").replace("/", "~1")
-    return pointer
+        path.append(step)
+    if error["type"].startswith("union_tag") and isinstance(here, dict):
+        path.append(error["ctx"]["discriminator"].strip("'"))
+    return analyses.pointer(*path)
 
 
 def _leads_on(here: Any, step: int | str) -> bool:  # noqa: ANN401
@@ -69,5 +74,4 @@ def _message(error: Any) -> str:  # noqa: ANN401
 def _given(error: Any) -> str:  # noqa: ANN401
     if error["type"] in ("missing", "union_tag_not_found"):
         return ""
-    text = repr(error.get("input"))
-    return f"; given {text[:LONGEST_INPUT]}{'...' if len(text) > LONGEST_INPUT else ''}"
+    return f"; given {_SHORT.repr(error.get('input'))}"

@@ -19,6 +19,8 @@ log = structlog.get_logger()
 
 PROBLEM_JSON = "application/problem+json"
 RETRY_SECONDS = "5"
+MOST_REPORTED = 20
+LONGEST_DETAIL = 1200
 MOST_TOLD = 3
 """Fields that a problem's `detail` names; `errors` has more."""
 
@@ -28,12 +30,18 @@ Responses = dict[int | str, dict[str, Any]]
 
 def problem_response(refusal: Refusal) -> Response:
     """Return the problem details of a refusal."""
+    reported = [
+        FieldProblem(pointer=_printable(p), detail=_printable(d))
+        for p, d in refusal.errors[:MOST_REPORTED]
+    ]
+    if more := len(refusal.errors) - len(reported):
+        reported.append(FieldProblem(pointer="", detail=f"{more} more fields are invalid"))
     problem = Problem(
         type=f"/problems/{refusal.kind}",
         title=refusal.title,
         status=refusal.status,
-        detail=refusal.detail,
-        errors=[FieldProblem(pointer=p, detail=d) for p, d in refusal.errors],
+        detail=_printable(refusal.detail, LONGEST_DETAIL),
+        errors=reported,
     )
     return Response(
         problem.model_dump_json(),
@@ -41,6 +49,12 @@ def problem_response(refusal: Refusal) -> Response:
         media_type=PROBLEM_JSON,
         headers=refusal.headers,
     )
+
+
+def _printable(text: str, longest: int = 300) -> str:
+    """Return text that can be sent, whatever a caller put into it, and not much longer."""
+    cut = text if len(text) <= longest else text[:longest] + "..."
+    return cut.encode("utf-8", "backslashreplace").decode()
 
 
 def install(app: FastAPI) -> None:
@@ -62,7 +76,7 @@ def refusal_of(error: Exception) -> Refusal:
         case Refusal():
             return error
         case AnalysisError():
-            return nonsense(error.detail, error.errors)
+            return nonsense(_in_short(error.errors), error.errors)
         case ExportError():
             return Refusal("not-exportable", 422, "This cannot be exported", str(error))
         case storage.MechanismNotFound():
@@ -145,6 +159,7 @@ def declared(*statuses: int) -> Responses:
     titles = {
         400: "The body is not JSON",
         404: "There is none of this id, or not yet",
+        406: "None of the accepted types is offered",
         409: "The job has not ended",
         413: "The body is too large",
         415: "The body is not declared as JSON",

@@ -40,6 +40,7 @@ AnalysisBody = Annotated[AnalysisRequest, Body(openapi_examples=REQUEST_EXAMPLES
 IdempotencyKey = Annotated[
     str | None,
     Header(
+        min_length=1,
         max_length=200,
         description="The same key answers with the same job for 24 hours.",
     ),

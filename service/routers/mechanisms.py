@@ -8,6 +8,7 @@ from analyses import check_mechanism
 from schemas.kinds import MechanismPage, StoredMechanismDocument
 from schemas.mechanisms import MechanismSpec, canonical_json, mechanism_id
 from service.documents import mechanism_document
+from service.etags import is_known
 from service.paging import PageSize, PageToken, cursor_of, token_of
 from service.problems import Responses, declared
 from service.stores import UsedStores
@@ -30,7 +31,7 @@ def create_mechanism(
     mechanism: MechanismSpec, response: Response, stores: UsedStores
 ) -> StoredMechanismDocument:
     """Store a mechanism; the same spec again answers 200 with the same id."""
-    check_mechanism(mechanism)
+    check_mechanism(mechanism, at="")
     identifier = mechanism_id(mechanism)
     created = stores.mechanisms.add(identifier, canonical_json(mechanism))
     response.status_code = 201 if created else 200
@@ -66,7 +67,7 @@ def get_mechanism(
     """Return one stored mechanism, with an ETag."""
     stored = stores.mechanisms.get(mechanism_id)
     etag = f'"{stored.id}"'
-    if if_none_match is not None and etag in if_none_match:
+    if is_known(etag, if_none_match):
         return Response(status_code=304, headers={"ETag": etag})
     response.headers["ETag"] = etag
     return mechanism_document(stored)

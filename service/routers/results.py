@@ -12,6 +12,7 @@ import analyses
 from exports import draw_workspace, write_csv, write_npz, write_whole
 from schemas.analyses import AnalysisResult
 from schemas.workspace import WorkspaceRequest
+from service.etags import is_known
 from service.problems import Responses, declared
 from service.refusals import Refusal
 from service.stores import Stores, UsedStores
@@ -44,7 +45,6 @@ def _binary(*formats: str) -> Responses:
         200: {"description": "The file.", "content": content},
         206: {"description": "A range of the file."},
         304: {"description": "It has not changed."},
-        406: {"description": "None of the accepted types is offered."},
     }
 
 
@@ -64,7 +64,7 @@ def get_result(job_id: str, stores: UsedStores) -> Response:
     "/grid",
     operation_id="get_grid",
     response_class=FileResponse,
-    responses=_binary("npz", "csv") | declared(404),
+    responses=_binary("npz", "csv") | declared(404, 406),
 )
 def get_grid(
     job_id: str,
@@ -89,7 +89,7 @@ def get_grid(
     "/figure",
     operation_id="get_figure",
     response_class=FileResponse,
-    responses=_binary("png", "svg") | declared(404, 422),
+    responses=_binary("png", "svg") | declared(404, 406, 422),
 )
 def get_figure(
     job_id: str,
@@ -162,7 +162,7 @@ def _file(
 ) -> Response:
     # A job's result never changes and files are written deterministically: the name is enough.
     etag = f'"{job_id}-{name}"'
-    if if_none_match is not None and etag in if_none_match:
+    if is_known(etag, if_none_match):
         return Response(status_code=304, headers={"ETag": etag})
     path = stores.artefacts.fetch(job_id, name, make)
     return FileResponse(
