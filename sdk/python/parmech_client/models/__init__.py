@@ -5,6 +5,16 @@ from .bounds import Bounds
 from .component import Component
 from .component_centroid import ComponentCentroid
 from .constructive import Constructive
+from .crank_leg import CrankLeg
+from .custom import Custom
+from .custom_motion import CustomMotion
+from .custom_working_mode_type_0_item import CustomWorkingModeType0Item
+from .delta_linear import DeltaLinear
+from .delta_linear_4_dof import DeltaLinear4Dof
+from .delta_linear_4_dof_working_mode_type_0_item import DeltaLinear4DofWorkingModeType0Item
+from .delta_linear_working_mode_type_0_item import DeltaLinearWorkingModeType0Item
+from .delta_rotary import DeltaRotary
+from .delta_rotary_working_mode_type_0_item import DeltaRotaryWorkingModeType0Item
 from .effective import Effective
 from .effort_request import EffortRequest
 from .effort_request_working_mode_type_0_item import EffortRequestWorkingModeType0Item
@@ -20,10 +30,18 @@ from .field_summary import FieldSummary
 from .field_summary_at_max_type_0 import FieldSummaryAtMaxType0
 from .five_bar import FiveBar
 from .five_bar_working_mode_type_0_item import FiveBarWorkingModeType0Item
+from .geared_decoupled import GearedDecoupled
+from .geared_decoupled_working_mode_type_0_item import GearedDecoupledWorkingModeType0Item
 from .get_figure_format_type_0 import GetFigureFormatType0
 from .get_grid_format_type_0 import GetGridFormatType0
+from .gough_stewart import GoughStewart
+from .gough_stewart_working_mode_type_0_item import GoughStewartWorkingModeType0Item
 from .grid_axis import GridAxis
 from .health import Health
+from .hexa_linear import HexaLinear
+from .hexa_linear_working_mode_type_0_item import HexaLinearWorkingModeType0Item
+from .hexa_rotary import HexaRotary
+from .hexa_rotary_working_mode_type_0_item import HexaRotaryWorkingModeType0Item
 from .inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from .inverse_kinematics_all_modes_result_working_modes_item_item import (
     InverseKinematicsAllModesResultWorkingModesItemItem,
@@ -52,12 +70,27 @@ from .obstacle_in_mode_reason import ObstacleInModeReason
 from .obstacle_reason import ObstacleReason
 from .planar_3rrr import Planar3RRR
 from .planar_3rrr_working_mode_type_0_item import Planar3RRRWorkingModeType0Item
+from .platform_body import PlatformBody
 from .preset import Preset
 from .problem import Problem
 from .progress import Progress
+from .rail_leg import RailLeg
 from .readiness import Readiness
+from .singularity_request import SingularityRequest
+from .singularity_request_working_mode_type_0_item import SingularityRequestWorkingModeType0Item
+from .singularity_result import SingularityResult
+from .singularity_result_working_mode_item import SingularityResultWorkingModeItem
+from .spherical_3rrr import Spherical3RRR
+from .spherical_3rrr_working_mode_type_0_item import Spherical3RRRWorkingModeType0Item
 from .stored_mechanism import StoredMechanism
 from .stored_mechanism_document import StoredMechanismDocument
+from .strut_leg import StrutLeg
+from .translational_3rrrr import Translational3RRRR
+from .translational_3rrrr_working_mode_type_0_item import Translational3RRRRWorkingModeType0Item
+from .velocity_request import VelocityRequest
+from .velocity_request_working_mode_type_0_item import VelocityRequestWorkingModeType0Item
+from .velocity_result import VelocityResult
+from .velocity_result_working_mode_item import VelocityResultWorkingModeItem
 from .workspace_request import WorkspaceRequest
 from .workspace_request_class import WorkspaceRequestClass
 from .workspace_request_fields_item import WorkspaceRequestFieldsItem
@@ -75,6 +108,16 @@ __all__ = (
     "Component",
     "ComponentCentroid",
     "Constructive",
+    "CrankLeg",
+    "Custom",
+    "CustomMotion",
+    "CustomWorkingModeType0Item",
+    "DeltaLinear",
+    "DeltaLinear4Dof",
+    "DeltaLinear4DofWorkingModeType0Item",
+    "DeltaLinearWorkingModeType0Item",
+    "DeltaRotary",
+    "DeltaRotaryWorkingModeType0Item",
     "Effective",
     "EffortRequest",
     "EffortRequestWorkingModeType0Item",
@@ -90,10 +133,18 @@ __all__ = (
     "FieldSummaryAtMaxType0",
     "FiveBar",
     "FiveBarWorkingModeType0Item",
+    "GearedDecoupled",
+    "GearedDecoupledWorkingModeType0Item",
     "GetFigureFormatType0",
     "GetGridFormatType0",
+    "GoughStewart",
+    "GoughStewartWorkingModeType0Item",
     "GridAxis",
     "Health",
+    "HexaLinear",
+    "HexaLinearWorkingModeType0Item",
+    "HexaRotary",
+    "HexaRotaryWorkingModeType0Item",
     "InverseKinematicsAllModesResult",
     "InverseKinematicsAllModesResultWorkingModesItemItem",
     "InverseKinematicsRequest",
@@ -120,12 +171,27 @@ __all__ = (
     "ObstacleReason",
     "Planar3RRR",
     "Planar3RRRWorkingModeType0Item",
+    "PlatformBody",
     "Preset",
     "Problem",
     "Progress",
+    "RailLeg",
     "Readiness",
+    "SingularityRequest",
+    "SingularityRequestWorkingModeType0Item",
+    "SingularityResult",
+    "SingularityResultWorkingModeItem",
+    "Spherical3RRR",
+    "Spherical3RRRWorkingModeType0Item",
     "StoredMechanism",
     "StoredMechanismDocument",
+    "StrutLeg",
+    "Translational3RRRR",
+    "Translational3RRRRWorkingModeType0Item",
+    "VelocityRequest",
+    "VelocityRequestWorkingModeType0Item",
+    "VelocityResult",
+    "VelocityResultWorkingModeItem",
     "WorkspaceRequest",
     "WorkspaceRequestClass",
     "WorkspaceRequestFieldsItem",

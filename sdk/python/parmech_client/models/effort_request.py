@@ -12,11 +12,22 @@ from ..models.effort_request_working_mode_type_0_item import (
 from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
+    from ..models.custom import Custom
+    from ..models.delta_linear import DeltaLinear
+    from ..models.delta_linear_4_dof import DeltaLinear4Dof
+    from ..models.delta_rotary import DeltaRotary
     from ..models.five_bar import FiveBar
+    from ..models.geared_decoupled import GearedDecoupled
+    from ..models.gough_stewart import GoughStewart
+    from ..models.hexa_linear import HexaLinear
+    from ..models.hexa_rotary import HexaRotary
     from ..models.known_load import KnownLoad
     from ..models.load_size import LoadSize
     from ..models.planar_3rrr import Planar3RRR
+    from ..models.platform_body import PlatformBody
+    from ..models.spherical_3rrr import Spherical3RRR
     from ..models.stored_mechanism import StoredMechanism
+    from ..models.translational_3rrrr import Translational3RRRR
 
 
 T = TypeVar("T", bound="EffortRequest")
@@ -24,34 +35,68 @@ T = TypeVar("T", bound="EffortRequest")
 
 @_attrs_define
 class EffortRequest:
-    """Ask for drive efforts at poses; `load`, `known_load` or both must be given.
+    """Ask for drive efforts at poses under a `load`, a `known_load` or a platform's body.
 
     With `load` the answer is the greatest effort over all directions of its force and its
-    moment (each in its own worst direction), on top of `known_load`; with `known_load` alone
-    it is the signed effort.
+    moment (each in its own worst direction), on top of what is known; without it, the signed
+    effort under what is known: `known_load`, and the weight and inertia of `platform`.
 
         Attributes:
             analysis (Literal['effort']):
-            mechanism (FiveBar | Planar3RRR | StoredMechanism):
+            mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
+                HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
             poses (list[list[float]]): One row a pose, in the order of the kind's coordinates. [m, rad]
             known_load (KnownLoad | None | Unset):
             load (LoadSize | None | Unset):
+            platform (None | PlatformBody | Unset):
+            platform_accelerations (list[list[float]] | None | Unset): Of the reference point and angular, per pose, or one
+                row for all. [m/s^2, rad/s^2]
+            platform_rates (list[list[float]] | None | Unset): [v, w] per pose, or one row for all; only w matters. [m/s,
+                rad/s]
             working_mode (list[EffortRequestWorkingModeType0Item] | None | Unset): A branch of the inverse solution; by
                 default the mechanism's own.
     """
 
     analysis: Literal["effort"]
-    mechanism: FiveBar | Planar3RRR | StoredMechanism
+    mechanism: (
+        Custom
+        | DeltaLinear
+        | DeltaLinear4Dof
+        | DeltaRotary
+        | FiveBar
+        | GearedDecoupled
+        | GoughStewart
+        | HexaLinear
+        | HexaRotary
+        | Planar3RRR
+        | Spherical3RRR
+        | StoredMechanism
+        | Translational3RRRR
+    )
     poses: list[list[float]]
     known_load: KnownLoad | None | Unset = UNSET
     load: LoadSize | None | Unset = UNSET
+    platform: None | PlatformBody | Unset = UNSET
+    platform_accelerations: list[list[float]] | None | Unset = UNSET
+    platform_rates: list[list[float]] | None | Unset = UNSET
     working_mode: list[EffortRequestWorkingModeType0Item] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
+        from ..models.custom import Custom  # noqa: PLC0415
+        from ..models.delta_linear import DeltaLinear  # noqa: PLC0415
+        from ..models.delta_linear_4_dof import DeltaLinear4Dof  # noqa: PLC0415
+        from ..models.delta_rotary import DeltaRotary  # noqa: PLC0415
         from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.geared_decoupled import GearedDecoupled  # noqa: PLC0415
+        from ..models.gough_stewart import GoughStewart  # noqa: PLC0415
+        from ..models.hexa_linear import HexaLinear  # noqa: PLC0415
+        from ..models.hexa_rotary import HexaRotary  # noqa: PLC0415
         from ..models.known_load import KnownLoad  # noqa: PLC0415
         from ..models.load_size import LoadSize  # noqa: PLC0415
         from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+        from ..models.platform_body import PlatformBody  # noqa: PLC0415
+        from ..models.spherical_3rrr import Spherical3RRR  # noqa: PLC0415
+        from ..models.translational_3rrrr import Translational3RRRR  # noqa: PLC0415
 
         analysis = self.analysis
 
@@ -59,6 +104,26 @@ class EffortRequest:
         if isinstance(self.mechanism, FiveBar):
             mechanism = self.mechanism.to_dict()
         elif isinstance(self.mechanism, Planar3RRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Translational3RRRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaRotary):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaLinear):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaLinear4Dof):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, HexaLinear):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, GoughStewart):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, HexaRotary):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Spherical3RRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, GearedDecoupled):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Custom):
             mechanism = self.mechanism.to_dict()
         else:
             mechanism = self.mechanism.to_dict()
@@ -85,6 +150,40 @@ class EffortRequest:
         else:
             load = self.load
 
+        platform: dict[str, Any] | None | Unset
+        if isinstance(self.platform, Unset):
+            platform = UNSET
+        elif isinstance(self.platform, PlatformBody):
+            platform = self.platform.to_dict()
+        else:
+            platform = self.platform
+
+        platform_accelerations: list[list[float]] | None | Unset
+        if isinstance(self.platform_accelerations, Unset):
+            platform_accelerations = UNSET
+        elif isinstance(self.platform_accelerations, list):
+            platform_accelerations = []
+            for platform_accelerations_type_0_item_data in self.platform_accelerations:
+                platform_accelerations_type_0_item = platform_accelerations_type_0_item_data
+
+                platform_accelerations.append(platform_accelerations_type_0_item)
+
+        else:
+            platform_accelerations = self.platform_accelerations
+
+        platform_rates: list[list[float]] | None | Unset
+        if isinstance(self.platform_rates, Unset):
+            platform_rates = UNSET
+        elif isinstance(self.platform_rates, list):
+            platform_rates = []
+            for platform_rates_type_0_item_data in self.platform_rates:
+                platform_rates_type_0_item = platform_rates_type_0_item_data
+
+                platform_rates.append(platform_rates_type_0_item)
+
+        else:
+            platform_rates = self.platform_rates
+
         working_mode: list[int] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
@@ -110,6 +209,12 @@ class EffortRequest:
             field_dict["known_load"] = known_load
         if load is not UNSET:
             field_dict["load"] = load
+        if platform is not UNSET:
+            field_dict["platform"] = platform
+        if platform_accelerations is not UNSET:
+            field_dict["platform_accelerations"] = platform_accelerations
+        if platform_rates is not UNSET:
+            field_dict["platform_rates"] = platform_rates
         if working_mode is not UNSET:
             field_dict["working_mode"] = working_mode
 
@@ -117,18 +222,45 @@ class EffortRequest:
 
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.custom import Custom  # noqa: PLC0415
+        from ..models.delta_linear import DeltaLinear  # noqa: PLC0415
+        from ..models.delta_linear_4_dof import DeltaLinear4Dof  # noqa: PLC0415
+        from ..models.delta_rotary import DeltaRotary  # noqa: PLC0415
         from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.geared_decoupled import GearedDecoupled  # noqa: PLC0415
+        from ..models.gough_stewart import GoughStewart  # noqa: PLC0415
+        from ..models.hexa_linear import HexaLinear  # noqa: PLC0415
+        from ..models.hexa_rotary import HexaRotary  # noqa: PLC0415
         from ..models.known_load import KnownLoad  # noqa: PLC0415
         from ..models.load_size import LoadSize  # noqa: PLC0415
         from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+        from ..models.platform_body import PlatformBody  # noqa: PLC0415
+        from ..models.spherical_3rrr import Spherical3RRR  # noqa: PLC0415
         from ..models.stored_mechanism import StoredMechanism  # noqa: PLC0415
+        from ..models.translational_3rrrr import Translational3RRRR  # noqa: PLC0415
 
         d = dict(src_dict)
         analysis = cast(Literal["effort"], d.pop("analysis"))
         if analysis != "effort":
             raise ValueError(f"analysis must match const 'effort', got '{analysis}'")
 
-        def _parse_mechanism(data: object) -> FiveBar | Planar3RRR | StoredMechanism:
+        def _parse_mechanism(
+            data: object,
+        ) -> (
+            Custom
+            | DeltaLinear
+            | DeltaLinear4Dof
+            | DeltaRotary
+            | FiveBar
+            | GearedDecoupled
+            | GoughStewart
+            | HexaLinear
+            | HexaRotary
+            | Planar3RRR
+            | Spherical3RRR
+            | StoredMechanism
+            | Translational3RRRR
+        ):
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
@@ -145,11 +277,91 @@ class EffortRequest:
                 return mechanism_type_1
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_2 = Translational3RRRR.from_dict(data)
+
+                return mechanism_type_2
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_3 = DeltaRotary.from_dict(data)
+
+                return mechanism_type_3
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_4 = DeltaLinear.from_dict(data)
+
+                return mechanism_type_4
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_5 = DeltaLinear4Dof.from_dict(data)
+
+                return mechanism_type_5
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_6 = HexaLinear.from_dict(data)
+
+                return mechanism_type_6
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_7 = GoughStewart.from_dict(data)
+
+                return mechanism_type_7
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_8 = HexaRotary.from_dict(data)
+
+                return mechanism_type_8
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_9 = Spherical3RRR.from_dict(data)
+
+                return mechanism_type_9
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_10 = GearedDecoupled.from_dict(data)
+
+                return mechanism_type_10
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_11 = Custom.from_dict(data)
+
+                return mechanism_type_11
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            mechanism_type_2 = StoredMechanism.from_dict(data)
+            mechanism_type_12 = StoredMechanism.from_dict(data)
 
-            return mechanism_type_2
+            return mechanism_type_12
 
         mechanism = _parse_mechanism(d.pop("mechanism"))
 
@@ -194,6 +406,67 @@ class EffortRequest:
 
         load = _parse_load(d.pop("load", UNSET))
 
+        def _parse_platform(data: object) -> None | PlatformBody | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                platform_type_0 = PlatformBody.from_dict(data)
+
+                return platform_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(None | PlatformBody | Unset, data)
+
+        platform = _parse_platform(d.pop("platform", UNSET))
+
+        def _parse_platform_accelerations(data: object) -> list[list[float]] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                platform_accelerations_type_0 = []
+                _platform_accelerations_type_0 = data
+                for platform_accelerations_type_0_item_data in _platform_accelerations_type_0:
+                    platform_accelerations_type_0_item = cast(list[float], platform_accelerations_type_0_item_data)
+
+                    platform_accelerations_type_0.append(platform_accelerations_type_0_item)
+
+                return platform_accelerations_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[list[float]] | None | Unset, data)
+
+        platform_accelerations = _parse_platform_accelerations(d.pop("platform_accelerations", UNSET))
+
+        def _parse_platform_rates(data: object) -> list[list[float]] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                platform_rates_type_0 = []
+                _platform_rates_type_0 = data
+                for platform_rates_type_0_item_data in _platform_rates_type_0:
+                    platform_rates_type_0_item = cast(list[float], platform_rates_type_0_item_data)
+
+                    platform_rates_type_0.append(platform_rates_type_0_item)
+
+                return platform_rates_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[list[float]] | None | Unset, data)
+
+        platform_rates = _parse_platform_rates(d.pop("platform_rates", UNSET))
+
         def _parse_working_mode(data: object) -> list[EffortRequestWorkingModeType0Item] | None | Unset:
             if data is None:
                 return data
@@ -224,6 +497,9 @@ class EffortRequest:
             poses=poses,
             known_load=known_load,
             load=load,
+            platform=platform,
+            platform_accelerations=platform_accelerations,
+            platform_rates=platform_rates,
             working_mode=working_mode,
         )
 

@@ -19,7 +19,7 @@ class Obstacle:
         limit (float | None):
         pose (int): Row of the request's poses, from 0.
         reason (ObstacleReason): reach: value is the rod that would be needed, limit the leg's own [m]; actuator_limits:
-            the drive and its limit; singularity: det Jx, which is 0.
+            the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0.
         value (float | None):
     """
 

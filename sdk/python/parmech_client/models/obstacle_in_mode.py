@@ -20,7 +20,7 @@ class ObstacleInMode:
         mode (int): Index into working_modes.
         pose (int): Row of the request's poses, from 0.
         reason (ObstacleInModeReason): reach: value is the rod that would be needed, limit the leg's own [m];
-            actuator_limits: the drive and its limit; singularity: det Jx, which is 0.
+            actuator_limits: the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0.
         value (float | None):
     """
 

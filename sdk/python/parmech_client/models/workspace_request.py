@@ -15,11 +15,21 @@ from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.constructive import Constructive
+    from ..models.custom import Custom
+    from ..models.delta_linear import DeltaLinear
+    from ..models.delta_linear_4_dof import DeltaLinear4Dof
+    from ..models.delta_rotary import DeltaRotary
     from ..models.effective import Effective
     from ..models.five_bar import FiveBar
+    from ..models.geared_decoupled import GearedDecoupled
+    from ..models.gough_stewart import GoughStewart
     from ..models.grid_axis import GridAxis
+    from ..models.hexa_linear import HexaLinear
+    from ..models.hexa_rotary import HexaRotary
     from ..models.planar_3rrr import Planar3RRR
+    from ..models.spherical_3rrr import Spherical3RRR
     from ..models.stored_mechanism import StoredMechanism
+    from ..models.translational_3rrrr import Translational3RRRR
     from ..models.workspace_request_fixed import WorkspaceRequestFixed
 
 
@@ -40,7 +50,8 @@ class WorkspaceRequest:
             analysis (Literal['workspace']):
             class_ (WorkspaceRequestClass):
             grid (list[GridAxis]):
-            mechanism (FiveBar | Planar3RRR | StoredMechanism):
+            mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
+                HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
             type_ (Literal['constant_orientation']):
             constructive (Constructive | None | Unset):
             effective (Effective | None | Unset):
@@ -52,7 +63,21 @@ class WorkspaceRequest:
     analysis: Literal["workspace"]
     class_: WorkspaceRequestClass
     grid: list[GridAxis]
-    mechanism: FiveBar | Planar3RRR | StoredMechanism
+    mechanism: (
+        Custom
+        | DeltaLinear
+        | DeltaLinear4Dof
+        | DeltaRotary
+        | FiveBar
+        | GearedDecoupled
+        | GoughStewart
+        | HexaLinear
+        | HexaRotary
+        | Planar3RRR
+        | Spherical3RRR
+        | StoredMechanism
+        | Translational3RRRR
+    )
     type_: Literal["constant_orientation"]
     constructive: Constructive | None | Unset = UNSET
     effective: Effective | None | Unset = UNSET
@@ -62,9 +87,19 @@ class WorkspaceRequest:
 
     def to_dict(self) -> dict[str, Any]:
         from ..models.constructive import Constructive  # noqa: PLC0415
+        from ..models.custom import Custom  # noqa: PLC0415
+        from ..models.delta_linear import DeltaLinear  # noqa: PLC0415
+        from ..models.delta_linear_4_dof import DeltaLinear4Dof  # noqa: PLC0415
+        from ..models.delta_rotary import DeltaRotary  # noqa: PLC0415
         from ..models.effective import Effective  # noqa: PLC0415
         from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.geared_decoupled import GearedDecoupled  # noqa: PLC0415
+        from ..models.gough_stewart import GoughStewart  # noqa: PLC0415
+        from ..models.hexa_linear import HexaLinear  # noqa: PLC0415
+        from ..models.hexa_rotary import HexaRotary  # noqa: PLC0415
         from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+        from ..models.spherical_3rrr import Spherical3RRR  # noqa: PLC0415
+        from ..models.translational_3rrrr import Translational3RRRR  # noqa: PLC0415
 
         analysis = self.analysis
 
@@ -79,6 +114,26 @@ class WorkspaceRequest:
         if isinstance(self.mechanism, FiveBar):
             mechanism = self.mechanism.to_dict()
         elif isinstance(self.mechanism, Planar3RRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Translational3RRRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaRotary):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaLinear):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, DeltaLinear4Dof):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, HexaLinear):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, GoughStewart):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, HexaRotary):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Spherical3RRR):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, GearedDecoupled):
+            mechanism = self.mechanism.to_dict()
+        elif isinstance(self.mechanism, Custom):
             mechanism = self.mechanism.to_dict()
         else:
             mechanism = self.mechanism.to_dict()
@@ -151,11 +206,21 @@ class WorkspaceRequest:
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.constructive import Constructive  # noqa: PLC0415
+        from ..models.custom import Custom  # noqa: PLC0415
+        from ..models.delta_linear import DeltaLinear  # noqa: PLC0415
+        from ..models.delta_linear_4_dof import DeltaLinear4Dof  # noqa: PLC0415
+        from ..models.delta_rotary import DeltaRotary  # noqa: PLC0415
         from ..models.effective import Effective  # noqa: PLC0415
         from ..models.five_bar import FiveBar  # noqa: PLC0415
+        from ..models.geared_decoupled import GearedDecoupled  # noqa: PLC0415
+        from ..models.gough_stewart import GoughStewart  # noqa: PLC0415
         from ..models.grid_axis import GridAxis  # noqa: PLC0415
+        from ..models.hexa_linear import HexaLinear  # noqa: PLC0415
+        from ..models.hexa_rotary import HexaRotary  # noqa: PLC0415
         from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
+        from ..models.spherical_3rrr import Spherical3RRR  # noqa: PLC0415
         from ..models.stored_mechanism import StoredMechanism  # noqa: PLC0415
+        from ..models.translational_3rrrr import Translational3RRRR  # noqa: PLC0415
         from ..models.workspace_request_fixed import WorkspaceRequestFixed  # noqa: PLC0415
 
         d = dict(src_dict)
@@ -172,7 +237,23 @@ class WorkspaceRequest:
 
             grid.append(grid_item)
 
-        def _parse_mechanism(data: object) -> FiveBar | Planar3RRR | StoredMechanism:
+        def _parse_mechanism(
+            data: object,
+        ) -> (
+            Custom
+            | DeltaLinear
+            | DeltaLinear4Dof
+            | DeltaRotary
+            | FiveBar
+            | GearedDecoupled
+            | GoughStewart
+            | HexaLinear
+            | HexaRotary
+            | Planar3RRR
+            | Spherical3RRR
+            | StoredMechanism
+            | Translational3RRRR
+        ):
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
@@ -189,11 +270,91 @@ class WorkspaceRequest:
                 return mechanism_type_1
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_2 = Translational3RRRR.from_dict(data)
+
+                return mechanism_type_2
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_3 = DeltaRotary.from_dict(data)
+
+                return mechanism_type_3
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_4 = DeltaLinear.from_dict(data)
+
+                return mechanism_type_4
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_5 = DeltaLinear4Dof.from_dict(data)
+
+                return mechanism_type_5
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_6 = HexaLinear.from_dict(data)
+
+                return mechanism_type_6
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_7 = GoughStewart.from_dict(data)
+
+                return mechanism_type_7
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_8 = HexaRotary.from_dict(data)
+
+                return mechanism_type_8
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_9 = Spherical3RRR.from_dict(data)
+
+                return mechanism_type_9
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_10 = GearedDecoupled.from_dict(data)
+
+                return mechanism_type_10
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                mechanism_type_11 = Custom.from_dict(data)
+
+                return mechanism_type_11
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            mechanism_type_2 = StoredMechanism.from_dict(data)
+            mechanism_type_12 = StoredMechanism.from_dict(data)
 
-            return mechanism_type_2
+            return mechanism_type_12
 
         mechanism = _parse_mechanism(d.pop("mechanism"))
 

@@ -12,6 +12,10 @@ from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.inverse_kinematics_result import InverseKinematicsResult
 from ...models.job import Job
 from ...models.problem import Problem
+from ...models.singularity_request import SingularityRequest
+from ...models.singularity_result import SingularityResult
+from ...models.velocity_request import VelocityRequest
+from ...models.velocity_result import VelocityResult
 from ...models.workspace_request import WorkspaceRequest
 from ...models.workspace_result import WorkspaceResult
 from ...types import UNSET, Response, Unset
@@ -19,7 +23,7 @@ from ...types import UNSET, Response, Unset
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> dict[str, Any]:
@@ -37,7 +41,11 @@ def _get_kwargs(
 
     if isinstance(body, InverseKinematicsRequest):
         _kwargs["json"] = body.to_dict()
+    elif isinstance(body, VelocityRequest):
+        _kwargs["json"] = body.to_dict()
     elif isinstance(body, EffortRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, SingularityRequest):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -50,12 +58,29 @@ def _get_kwargs(
 
 def _parse_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
+    | None
+):
     if response.status_code == 200:
 
         def _parse_response_200(
             data: object,
-        ) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult:
+        ) -> (
+            EffortResult
+            | InverseKinematicsAllModesResult
+            | InverseKinematicsResult
+            | SingularityResult
+            | VelocityResult
+            | WorkspaceResult
+        ):
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
@@ -75,16 +100,32 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_2 = EffortResult.from_dict(data)
+                response_200_type_2 = VelocityResult.from_dict(data)
 
                 return response_200_type_2
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_3 = EffortResult.from_dict(data)
+
+                return response_200_type_3
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_4 = SingularityResult.from_dict(data)
+
+                return response_200_type_4
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_3 = WorkspaceResult.from_dict(data)
+            response_200_type_5 = WorkspaceResult.from_dict(data)
 
-            return response_200_type_3
+            return response_200_type_5
 
         response_200 = _parse_response_200(response.json())
 
@@ -129,7 +170,14 @@ def _parse_response(
 def _build_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
 ) -> Response[
-    EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
 ]:
     return Response(
         status_code=HTTPStatus(response.status_code),
@@ -142,11 +190,18 @@ def _build_response(
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[
-    EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
 ]:
     """Analyse
 
@@ -155,14 +210,15 @@ def sync_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -181,10 +237,20 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
+    | None
+):
     """Analyse
 
      Answer an analysis at once, or make a job of it when it is heavy or when asked to.
@@ -192,14 +258,15 @@ def sync(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem
+        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return sync_detailed(
@@ -213,11 +280,18 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[
-    EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
 ]:
     """Analyse
 
@@ -226,14 +300,15 @@ async def asyncio_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -250,10 +325,20 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Job
+    | Problem
+    | None
+):
     """Analyse
 
      Answer an analysis at once, or make a job of it when it is heavy or when asked to.
@@ -261,14 +346,15 @@ async def asyncio(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Job | Problem
+        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return (

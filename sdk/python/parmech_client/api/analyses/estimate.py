@@ -9,13 +9,15 @@ from ...models.effort_request import EffortRequest
 from ...models.estimate import Estimate
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.problem import Problem
+from ...models.singularity_request import SingularityRequest
+from ...models.velocity_request import VelocityRequest
 from ...models.workspace_request import WorkspaceRequest
 from ...types import Response
 
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
 
@@ -26,7 +28,11 @@ def _get_kwargs(
 
     if isinstance(body, InverseKinematicsRequest):
         _kwargs["json"] = body.to_dict()
+    elif isinstance(body, VelocityRequest):
+        _kwargs["json"] = body.to_dict()
     elif isinstance(body, EffortRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, SingularityRequest):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -86,14 +92,15 @@ def _build_response(*, client: AuthenticatedClient | Client, response: httpx.Res
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
 ) -> Response[Estimate | Problem]:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -117,14 +124,15 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
 ) -> Estimate | Problem | None:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -143,14 +151,15 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
 ) -> Response[Estimate | Problem]:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -172,14 +181,15 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
 ) -> Estimate | Problem | None:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

@@ -9,13 +9,15 @@ from ...models.effort_request import EffortRequest
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.job import Job
 from ...models.problem import Problem
+from ...models.singularity_request import SingularityRequest
+from ...models.velocity_request import VelocityRequest
 from ...models.workspace_request import WorkspaceRequest
 from ...types import UNSET, Response, Unset
 
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
@@ -29,7 +31,11 @@ def _get_kwargs(
 
     if isinstance(body, InverseKinematicsRequest):
         _kwargs["json"] = body.to_dict()
+    elif isinstance(body, VelocityRequest):
+        _kwargs["json"] = body.to_dict()
     elif isinstance(body, EffortRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, SingularityRequest):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -94,7 +100,7 @@ def _build_response(*, client: AuthenticatedClient | Client, response: httpx.Res
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[Job | Problem]:
     """Create Job
@@ -103,7 +109,8 @@ def sync_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -128,7 +135,7 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Job | Problem | None:
     """Create Job
@@ -137,7 +144,8 @@ def sync(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -157,7 +165,7 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[Job | Problem]:
     """Create Job
@@ -166,7 +174,8 @@ async def asyncio_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -189,7 +198,7 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | WorkspaceRequest,
+    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Job | Problem | None:
     """Create Job
@@ -198,7 +207,8 @@ async def asyncio(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | WorkspaceRequest):
+        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
+            WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

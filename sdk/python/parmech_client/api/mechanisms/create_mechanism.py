@@ -5,16 +5,37 @@ import httpx
 
 from ... import errors
 from ...client import AuthenticatedClient, Client
+from ...models.custom import Custom
+from ...models.delta_linear import DeltaLinear
+from ...models.delta_linear_4_dof import DeltaLinear4Dof
+from ...models.delta_rotary import DeltaRotary
 from ...models.five_bar import FiveBar
+from ...models.geared_decoupled import GearedDecoupled
+from ...models.gough_stewart import GoughStewart
+from ...models.hexa_linear import HexaLinear
+from ...models.hexa_rotary import HexaRotary
 from ...models.planar_3rrr import Planar3RRR
 from ...models.problem import Problem
+from ...models.spherical_3rrr import Spherical3RRR
 from ...models.stored_mechanism_document import StoredMechanismDocument
+from ...models.translational_3rrrr import Translational3RRRR
 from ...types import Response
 
 
 def _get_kwargs(
     *,
-    body: FiveBar | Planar3RRR,
+    body: Custom
+    | DeltaLinear
+    | DeltaLinear4Dof
+    | DeltaRotary
+    | FiveBar
+    | GearedDecoupled
+    | GoughStewart
+    | HexaLinear
+    | HexaRotary
+    | Planar3RRR
+    | Spherical3RRR
+    | Translational3RRRR,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
 
@@ -24,6 +45,26 @@ def _get_kwargs(
     }
 
     if isinstance(body, FiveBar):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, Planar3RRR):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, Translational3RRRR):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, DeltaRotary):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, DeltaLinear):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, DeltaLinear4Dof):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, HexaLinear):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, GoughStewart):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, HexaRotary):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, Spherical3RRR):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, GearedDecoupled):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -92,14 +133,26 @@ def _build_response(
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: FiveBar | Planar3RRR,
+    body: Custom
+    | DeltaLinear
+    | DeltaLinear4Dof
+    | DeltaRotary
+    | FiveBar
+    | GearedDecoupled
+    | GoughStewart
+    | HexaLinear
+    | HexaRotary
+    | Planar3RRR
+    | Spherical3RRR
+    | Translational3RRRR,
 ) -> Response[Problem | StoredMechanismDocument]:
     """Create Mechanism
 
      Store a mechanism; the same spec again answers 200 with the same id.
 
     Args:
-        body (FiveBar | Planar3RRR):
+        body (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled |
+            GoughStewart | HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | Translational3RRRR):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -123,14 +176,26 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: FiveBar | Planar3RRR,
+    body: Custom
+    | DeltaLinear
+    | DeltaLinear4Dof
+    | DeltaRotary
+    | FiveBar
+    | GearedDecoupled
+    | GoughStewart
+    | HexaLinear
+    | HexaRotary
+    | Planar3RRR
+    | Spherical3RRR
+    | Translational3RRRR,
 ) -> Problem | StoredMechanismDocument | None:
     """Create Mechanism
 
      Store a mechanism; the same spec again answers 200 with the same id.
 
     Args:
-        body (FiveBar | Planar3RRR):
+        body (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled |
+            GoughStewart | HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | Translational3RRRR):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -149,14 +214,26 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: FiveBar | Planar3RRR,
+    body: Custom
+    | DeltaLinear
+    | DeltaLinear4Dof
+    | DeltaRotary
+    | FiveBar
+    | GearedDecoupled
+    | GoughStewart
+    | HexaLinear
+    | HexaRotary
+    | Planar3RRR
+    | Spherical3RRR
+    | Translational3RRRR,
 ) -> Response[Problem | StoredMechanismDocument]:
     """Create Mechanism
 
      Store a mechanism; the same spec again answers 200 with the same id.
 
     Args:
-        body (FiveBar | Planar3RRR):
+        body (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled |
+            GoughStewart | HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | Translational3RRRR):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -178,14 +255,26 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: FiveBar | Planar3RRR,
+    body: Custom
+    | DeltaLinear
+    | DeltaLinear4Dof
+    | DeltaRotary
+    | FiveBar
+    | GearedDecoupled
+    | GoughStewart
+    | HexaLinear
+    | HexaRotary
+    | Planar3RRR
+    | Spherical3RRR
+    | Translational3RRRR,
 ) -> Problem | StoredMechanismDocument | None:
     """Create Mechanism
 
      Store a mechanism; the same spec again answers 200 with the same id.
 
     Args:
-        body (FiveBar | Planar3RRR):
+        body (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled |
+            GoughStewart | HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | Translational3RRRR):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

@@ -10,6 +10,8 @@ from ...models.effort_result import EffortResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_result import InverseKinematicsResult
 from ...models.problem import Problem
+from ...models.singularity_result import SingularityResult
+from ...models.velocity_result import VelocityResult
 from ...models.workspace_result import WorkspaceResult
 from ...types import Response
 
@@ -30,12 +32,28 @@ def _get_kwargs(
 
 def _parse_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+    | None
+):
     if response.status_code == 200:
 
         def _parse_response_200(
             data: object,
-        ) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult:
+        ) -> (
+            EffortResult
+            | InverseKinematicsAllModesResult
+            | InverseKinematicsResult
+            | SingularityResult
+            | VelocityResult
+            | WorkspaceResult
+        ):
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
@@ -55,16 +73,32 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_2 = EffortResult.from_dict(data)
+                response_200_type_2 = VelocityResult.from_dict(data)
 
                 return response_200_type_2
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_3 = EffortResult.from_dict(data)
+
+                return response_200_type_3
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_4 = SingularityResult.from_dict(data)
+
+                return response_200_type_4
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_3 = WorkspaceResult.from_dict(data)
+            response_200_type_5 = WorkspaceResult.from_dict(data)
 
-            return response_200_type_3
+            return response_200_type_5
 
         response_200 = _parse_response_200(response.json())
 
@@ -88,7 +122,15 @@ def _parse_response(
 
 def _build_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
-) -> Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem]:
+) -> Response[
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+]:
     return Response(
         status_code=HTTPStatus(response.status_code),
         content=response.content,
@@ -101,7 +143,15 @@ def sync_detailed(
     job_id: str,
     *,
     client: AuthenticatedClient | Client,
-) -> Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem]:
+) -> Response[
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+]:
     """Get Result
 
      Return the result; a failed job answers with its stored problem.
@@ -114,7 +164,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem]
+        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -132,7 +182,16 @@ def sync(
     job_id: str,
     *,
     client: AuthenticatedClient | Client,
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+    | None
+):
     """Get Result
 
      Return the result; a failed job answers with its stored problem.
@@ -145,7 +204,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem
+        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return sync_detailed(
@@ -158,7 +217,15 @@ async def asyncio_detailed(
     job_id: str,
     *,
     client: AuthenticatedClient | Client,
-) -> Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem]:
+) -> Response[
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+]:
     """Get Result
 
      Return the result; a failed job answers with its stored problem.
@@ -171,7 +238,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem]
+        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -187,7 +254,16 @@ async def asyncio(
     job_id: str,
     *,
     client: AuthenticatedClient | Client,
-) -> EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem | None:
+) -> (
+    EffortResult
+    | InverseKinematicsAllModesResult
+    | InverseKinematicsResult
+    | SingularityResult
+    | VelocityResult
+    | WorkspaceResult
+    | Problem
+    | None
+):
     """Get Result
 
      Return the result; a failed job answers with its stored problem.
@@ -200,7 +276,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | WorkspaceResult | Problem
+        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return (

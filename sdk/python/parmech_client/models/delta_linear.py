@@ -1,0 +1,231 @@
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+
+from attrs import define as _attrs_define
+
+from ..models.delta_linear_working_mode_type_0_item import (
+    DeltaLinearWorkingModeType0Item,
+    check_delta_linear_working_mode_type_0_item,
+)
+from ..types import UNSET, Unset
+
+if TYPE_CHECKING:
+    from ..models.actuator_limit import ActuatorLimit
+
+
+T = TypeVar("T", bound="DeltaLinear")
+
+
+@_attrs_define
+class DeltaLinear:
+    """The Delta on upright rails at 90, 210 and 330 degrees: three translations.
+
+    A drive's coordinate is its carriage's height; working mode 1 has the carriages above.
+
+        Attributes:
+            carriage_arm (float): From a rail inward to the carriage's joint. [m]
+            kind (Literal['delta_linear']):
+            platform_radius (float): Circle of the platform's joints. [m]
+            rail_radius (float): Circle of the rails. [m]
+            rod_length (float): [m]
+            tool_offset (float): Of the tool's point below the joints. [m]
+            actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
+                one (or null) per leg.
+            name (None | str | Unset): A name for people.
+            working_mode (list[DeltaLinearWorkingModeType0Item] | None | Unset): The default branch of the inverse solution:
+                1 or -1 per leg.
+    """
+
+    carriage_arm: float
+    kind: Literal["delta_linear"]
+    platform_radius: float
+    rail_radius: float
+    rod_length: float
+    tool_offset: float
+    actuator_limits: ActuatorLimit | list[ActuatorLimit | None] | None | Unset = UNSET
+    name: None | str | Unset = UNSET
+    working_mode: list[DeltaLinearWorkingModeType0Item] | None | Unset = UNSET
+
+    def to_dict(self) -> dict[str, Any]:
+        from ..models.actuator_limit import ActuatorLimit  # noqa: PLC0415
+
+        carriage_arm = self.carriage_arm
+
+        kind = self.kind
+
+        platform_radius = self.platform_radius
+
+        rail_radius = self.rail_radius
+
+        rod_length = self.rod_length
+
+        tool_offset = self.tool_offset
+
+        actuator_limits: dict[str, Any] | list[dict[str, Any] | None] | None | Unset
+        if isinstance(self.actuator_limits, Unset):
+            actuator_limits = UNSET
+        elif isinstance(self.actuator_limits, list):
+            actuator_limits = []
+            for actuator_limits_type_0_item_data in self.actuator_limits:
+                actuator_limits_type_0_item: dict[str, Any] | None
+                if isinstance(actuator_limits_type_0_item_data, ActuatorLimit):
+                    actuator_limits_type_0_item = actuator_limits_type_0_item_data.to_dict()
+                else:
+                    actuator_limits_type_0_item = actuator_limits_type_0_item_data
+                actuator_limits.append(actuator_limits_type_0_item)
+
+        elif isinstance(self.actuator_limits, ActuatorLimit):
+            actuator_limits = self.actuator_limits.to_dict()
+        else:
+            actuator_limits = self.actuator_limits
+
+        name: None | str | Unset
+        if isinstance(self.name, Unset):
+            name = UNSET
+        else:
+            name = self.name
+
+        working_mode: list[int] | None | Unset
+        if isinstance(self.working_mode, Unset):
+            working_mode = UNSET
+        elif isinstance(self.working_mode, list):
+            working_mode = []
+            for working_mode_type_0_item_data in self.working_mode:
+                working_mode_type_0_item: int = working_mode_type_0_item_data
+                working_mode.append(working_mode_type_0_item)
+
+        else:
+            working_mode = self.working_mode
+
+        field_dict: dict[str, Any] = {}
+
+        field_dict.update(
+            {
+                "carriage_arm": carriage_arm,
+                "kind": kind,
+                "platform_radius": platform_radius,
+                "rail_radius": rail_radius,
+                "rod_length": rod_length,
+                "tool_offset": tool_offset,
+            }
+        )
+        if actuator_limits is not UNSET:
+            field_dict["actuator_limits"] = actuator_limits
+        if name is not UNSET:
+            field_dict["name"] = name
+        if working_mode is not UNSET:
+            field_dict["working_mode"] = working_mode
+
+        return field_dict
+
+    @classmethod
+    def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.actuator_limit import ActuatorLimit  # noqa: PLC0415
+
+        d = dict(src_dict)
+        carriage_arm = d.pop("carriage_arm")
+
+        kind = cast(Literal["delta_linear"], d.pop("kind"))
+        if kind != "delta_linear":
+            raise ValueError(f"kind must match const 'delta_linear', got '{kind}'")
+
+        platform_radius = d.pop("platform_radius")
+
+        rail_radius = d.pop("rail_radius")
+
+        rod_length = d.pop("rod_length")
+
+        tool_offset = d.pop("tool_offset")
+
+        def _parse_actuator_limits(data: object) -> ActuatorLimit | list[ActuatorLimit | None] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                actuator_limits_type_0 = []
+                _actuator_limits_type_0 = data
+                for actuator_limits_type_0_item_data in _actuator_limits_type_0:
+
+                    def _parse_actuator_limits_type_0_item(data: object) -> ActuatorLimit | None:
+                        if data is None:
+                            return data
+                        try:
+                            if not isinstance(data, dict):
+                                raise TypeError()
+                            actuator_limits_type_0_item_type_0 = ActuatorLimit.from_dict(data)
+
+                            return actuator_limits_type_0_item_type_0
+                        except (TypeError, ValueError, AttributeError, KeyError):
+                            pass
+                        return cast(ActuatorLimit | None, data)
+
+                    actuator_limits_type_0_item = _parse_actuator_limits_type_0_item(actuator_limits_type_0_item_data)
+
+                    actuator_limits_type_0.append(actuator_limits_type_0_item)
+
+                return actuator_limits_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                actuator_limits_type_1 = ActuatorLimit.from_dict(data)
+
+                return actuator_limits_type_1
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(ActuatorLimit | list[ActuatorLimit | None] | None | Unset, data)
+
+        actuator_limits = _parse_actuator_limits(d.pop("actuator_limits", UNSET))
+
+        def _parse_name(data: object) -> None | str | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            return cast(None | str | Unset, data)
+
+        name = _parse_name(d.pop("name", UNSET))
+
+        def _parse_working_mode(data: object) -> list[DeltaLinearWorkingModeType0Item] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                working_mode_type_0 = []
+                _working_mode_type_0 = data
+                for working_mode_type_0_item_data in _working_mode_type_0:
+                    working_mode_type_0_item = check_delta_linear_working_mode_type_0_item(
+                        working_mode_type_0_item_data
+                    )
+
+                    working_mode_type_0.append(working_mode_type_0_item)
+
+                return working_mode_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[DeltaLinearWorkingModeType0Item] | None | Unset, data)
+
+        working_mode = _parse_working_mode(d.pop("working_mode", UNSET))
+
+        delta_linear = cls(
+            carriage_arm=carriage_arm,
+            kind=kind,
+            platform_radius=platform_radius,
+            rail_radius=rail_radius,
+            rod_length=rod_length,
+            tool_offset=tool_offset,
+            actuator_limits=actuator_limits,
+            name=name,
+            working_mode=working_mode,
+        )
+
+        return delta_linear

@@ -1,0 +1,14 @@
+from typing import Literal
+
+DeltaLinearWorkingModeType0Item = Literal[-1, 1]
+
+DELTA_LINEAR_WORKING_MODE_TYPE_0_ITEM_VALUES: set[DeltaLinearWorkingModeType0Item] = {
+    -1,
+    1,
+}
+
+
+def check_delta_linear_working_mode_type_0_item(value: int) -> DeltaLinearWorkingModeType0Item:
+    if value in DELTA_LINEAR_WORKING_MODE_TYPE_0_ITEM_VALUES:
+        return value
+    raise TypeError(f"Unexpected value {value!r}. Expected one of {DELTA_LINEAR_WORKING_MODE_TYPE_0_ITEM_VALUES!r}")
