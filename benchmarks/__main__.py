@@ -5,10 +5,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.rivals import reach_grid, worst_efforts
+from benchmarks import rivals
 from mechanics import effort
+from mechanics.arrays import Floats
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
+from mechanics.families.hexapods import gough_stewart
 from mechanics.families.planar_3rrr import planar_3rrr
 from mechanics.grid import Axis, Grid
 from mechanics.loads import Load
@@ -16,6 +18,7 @@ from mechanics.mechanism import Mechanism
 from mechanics.workspace import scan
 
 REPEATS = 5
+POSES = 1_000_000
 
 
 def best(work: Callable[[], object]) -> float:
@@ -30,59 +33,95 @@ def best(work: Callable[[], object]) -> float:
 
 
 def report(name: str, items: int, ours: float, theirs: float, rival: str) -> None:
-    """Print one line."""
+    """Print one line; a ratio above 1 says how many times faster we are."""
     nanoseconds = 1e9 / items
     print(
-        f"{name:44} {ours * nanoseconds:8.1f} ns  {rival:36} {theirs * nanoseconds:8.1f} ns  "
+        f"{name:42} {ours * nanoseconds:8.1f} ns  {rival:40} {theirs * nanoseconds:8.1f} ns  "
         f"ratio {theirs / ours:6.2f}"
     )
 
 
-def machine() -> Mechanism:
+def free(legs: int) -> Floats:
+    """Return limits of drives that have none."""
+    return np.tile([-np.inf, np.inf], (legs, 1))
+
+
+def planar() -> Mechanism:
     """Return the 3-RRR of Laryushkin, Glazunov and Erastova, 2016."""
     return planar_3rrr(
         base_side=0.4,
         platform_radius=0.08,
         crank_length=0.18,
         rod_length=0.18,
-        limits=np.tile([-np.inf, np.inf], (3, 1)),
+        limits=free(3),
         working_mode=np.ones(3),
     )
 
 
-def scan_of_reach(mechanism: Mechanism) -> None:
+def hexapod() -> tuple[Mechanism, Floats]:
+    """Return a 6-SPS and random poses, shape (poses, 6)."""
+    base_angles = np.deg2rad([-10, 10, 110, 130, 230, 250])
+    platform_angles = np.deg2rad([-50, 50, 70, 170, 190, 290])
+    flat = np.zeros(6)
+    mechanism = gough_stewart(
+        base_points=np.c_[np.cos(base_angles), np.sin(base_angles), flat].tolist(),
+        platform_points=(
+            0.5 * np.c_[np.cos(platform_angles), np.sin(platform_angles), flat]
+        ).tolist(),
+        limits=free(6),
+        working_mode=np.ones(6),
+    )
+    random = np.random.default_rng(0)
+    poses = np.c_[
+        random.uniform(-0.2, 0.2, (POSES, 2)),
+        random.uniform(0.9, 1.2, POSES),
+        random.uniform(-0.5, 0.5, (POSES, 3)),
+    ]
+    return mechanism, poses
+
+
+def scan_of_reach() -> None:
     """Compare a scan of the theoretical workspace, a node, with NumPy over the whole grid."""
+    mechanism = planar()
     axes = (Axis("x", -0.3, 0.3, 0.0005), Axis("y", -0.3, 0.3, 0.0005))
     grid = Grid(axes, (0, 1), np.zeros(3))
-    legs = mechanism.legs
+    base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
+    x, y = (axis.nodes for axis in axes)
     ours = best(lambda: scan(mechanism, [Reach(mechanism)], grid, {}, 0, grid.size))
-    theirs = best(
-        lambda: reach_grid(
-            legs.base_point[:, :2],
-            legs.platform_point[:, :2],
-            0.0,
-            0.36,
-            axes[0].nodes,
-            axes[1].nodes,
-        )
-    )
-    report("3-RRR reach, general legs, a node", grid.size, ours, theirs, "NumPy, annuli at phi = 0")
+    theirs = best(lambda: rivals.reach_grid(base, platform, 0.0, 0.36, x, y))
+    report("3-RRR reach by general legs, a node", grid.size, ours, theirs, "NumPy, annuli")
 
 
-def efforts_of_poses(mechanism: Mechanism) -> None:
-    """Compare worst-direction efforts, a pose, with batched inversion of ready Jacobians."""
-    random = np.random.default_rng(0)
-    poses = np.ascontiguousarray(random.uniform(-0.05, 0.05, (200_000, 3)).T)
-    load = Load(10.0)
+def inverse_of_struts() -> None:
+    """Compare the inverse of a 6-SPS, a pose, with bare roots and with blocked NumPy."""
+    mechanism, rows = hexapod()
+    poses = np.ascontiguousarray(rows.T)
+    roots = np.empty_like(poses)
+    base, platform = mechanism.legs.base_point, mechanism.legs.platform_point
+    ours = best(lambda: Configuration(mechanism, poses).actuators)
+    floor = best(lambda: rivals.six_roots(poses, roots))
+    numpy = best(lambda: rivals.strut_lengths(rows, base, platform))
+    report("6-SPS inverse, a pose", POSES, ours, floor, "six bare square roots (the floor)")
+    report("6-SPS inverse, a pose", POSES, ours, numpy, "NumPy, blocks of 4096")
+
+
+def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:
+    """Compare worst-direction efforts from poses with batched inversion of ready Jacobians."""
+    poses = np.ascontiguousarray(rows.T)
     ready = Configuration(mechanism, poses)
-    rates = ready.rods[1].T[:, :, None]
-    jacobians = np.ascontiguousarray(np.moveaxis(ready.platform_jacobians, 2, 0) / rates)
-    theirs = best(lambda: worst_efforts(jacobians, 10.0))
+    jacobians = ready.platform_jacobians / ready.rods[1][:, None, :]
+    matrices = np.ascontiguousarray(np.moveaxis(jacobians, 2, 0))
+    split = len(mechanism.motion.translations)
+    load = Load(10.0, 2.0)
+    theirs = best(lambda: rivals.worst_efforts(matrices, 10.0, 2.0, split))
     ours = best(lambda: effort.worst_efforts(Configuration(mechanism, poses), load))
-    name = "3-RRR efforts from poses"
-    report(name, poses.shape[1], ours, theirs, "numpy.linalg.inv + norms, J given")
+    report(name, len(rows), ours, theirs, "numpy.linalg.inv + norms, J given")
 
 
 if __name__ == "__main__":
-    scan_of_reach(machine())
-    efforts_of_poses(machine())
+    scan_of_reach()
+    inverse_of_struts()
+    random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))
+    efforts("3-RRR efforts from poses, a pose", planar(), random_poses)
+    platform, platform_poses = hexapod()
+    efforts("6-SPS efforts from poses, a pose", platform, platform_poses[:200_000])

@@ -1,5 +1,8 @@
-"""What we are measured against: the same questions in vectorised NumPy."""
+"""What we are measured against: the same questions in NumPy, and bare loops as floors."""
 
+import math
+
+import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,7 +11,7 @@ Floats = NDArray[np.float64]
 
 def reach_grid(
     base: Floats, platform: Floats, near: float, far: float, x: Floats, y: Floats
-) -> Floats:
+) -> NDArray[np.bool_]:
     """Return which nodes every planar leg reaches at phi = 0: annuli about base - platform."""
     inside = np.ones((x.size, y.size), dtype=bool)
     for centre in base - platform:
@@ -17,8 +20,43 @@ def reach_grid(
     return inside
 
 
-def worst_efforts(jacobians: Floats, force: float) -> Floats:
-    """Return the greatest efforts, shape (poses, drives), from Jacobians by batched inversion."""
+def worst_efforts(jacobians: Floats, force: float, moment: float, split: int) -> Floats:
+    """Return greatest efforts, shape (poses, drives), by batched inversion of ready Jacobians.
+
+    The first `split` columns of J are translations, the others turns.
+    """
     inverses = np.linalg.inv(jacobians)
-    efforts: Floats = force * np.linalg.norm(inverses[:, :2, :], axis=1)
+    forces = np.linalg.norm(inverses[:, :split, :], axis=1)
+    moments = np.linalg.norm(inverses[:, split:, :], axis=1)
+    efforts: Floats = force * forces + moment * moments
     return efforts
+
+
+def strut_lengths(poses: Floats, base: Floats, platform: Floats, block: int = 4096) -> Floats:
+    """Return the strut lengths, shape (poses, 6), block by block so that all stays in cache."""
+    lengths = np.empty((len(poses), 6))
+    for first in range(0, len(poses), block):
+        rows = poses[first : first + block]
+        position = rows[:, :3].T
+        sx, sy, sz = np.sin(rows[:, 3:].T)
+        cx, cy, cz = np.cos(rows[:, 3:].T)
+        rotation = (
+            (cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx),
+            (sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx),
+            (-sy, cy * sx, cy * cx),
+        )
+        squares = np.zeros((6, len(rows)))
+        for j in range(3):
+            span = sum(np.multiply.outer(platform[:, k], rotation[j][k]) for k in range(3))
+            span = span + position[j] - base[:, j : j + 1]
+            squares += span * span
+        lengths[first : first + block] = np.sqrt(squares).T
+    return lengths
+
+
+@numba.njit(error_model="numpy")
+def six_roots(poses: Floats, roots: Floats) -> None:
+    """Write six bare square roots per pose, shape (6, poses): the floor of any inverse."""
+    for k in range(6):
+        for i in range(poses.shape[1]):
+            roots[k, i] = math.sqrt(poses[k, i] * poses[k, i] + 1.0)
