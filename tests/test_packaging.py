@@ -138,3 +138,10 @@ def test_compose_service_becomes_healthy_and_stops(name: str, environment: dict[
         process.terminate()
         grace = float(services[name]["stop_grace_period"].removesuffix("s"))
         assert process.wait(grace) in (0, -signal.SIGTERM)
+
+
+def test_everything_in_the_wheel_enters_the_image() -> None:
+    tool = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]
+    included = tool["hatch"]["build"]["targets"]["wheel"]["only-include"]
+    allowed = {line.removeprefix("!") for line in (ROOT / ".dockerignore").read_text().split()}
+    assert set(included) <= allowed
