@@ -17,9 +17,11 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def source_digest() -> str:
-    """Return a digest of Numba's version and of all kernel sources."""
+    """Return a digest of Numba's version and of all sources that kernels are made from."""
     digest = hashlib.sha256(numba.__version__.encode())
-    for path in sorted(Path(__file__).parent.glob("*.py")):
+    here = Path(__file__).parent
+    # Kernels take the legs' arrays and freeze the drives' numbers, which stand outside.
+    for path in [*sorted(here.glob("*.py")), here.parent / "legs.py"]:
         digest.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return digest.hexdigest()[:16]
 
@@ -44,7 +46,5 @@ def kernel(function: F) -> F:
 
 def inlined(function: F) -> F:
     """Compile `function` into its callers, where the compiler sees that arrays do not overlap."""
-    compiled: F = numba.njit(
-        function, nogil=True, error_model="numpy", inline="always", fastmath={"contract"}
-    )
+    compiled: F = numba.njit(function, nogil=True, error_model="numpy", inline="always")
     return compiled
