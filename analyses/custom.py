@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from mechanics.arrays import Floats
+from mechanics.errors import GeometryError
 from mechanics.families.hexapods import hinge_across
 from mechanics.legs import (
     BALL_JOINTS,
@@ -45,14 +46,17 @@ def custom(
 ) -> Mechanism:
     """Return the mechanism of these legs.
 
-    A leg's passive joints follow from the motion: revolutes in the plane, parallelograms where
-    the platform only translates, universal joint and ball elsewhere, balls for struts.
+    A leg's passive joints follow from the motion: revolutes about z in the plane, parallelograms
+    where the platform only translates, universal joint and ball elsewhere, balls for struts.
 
     Raises
     ------
     GeometryError : an axis or a leg is degenerate, or the legs are not as many as coordinates.
     """
     chosen = schoenflies(np.array(axis)) if motion == "schoenflies" else MOTIONS[motion]
+    if _joints(chosen) == PLANE_JOINTS:
+        for number, leg in enumerate(legs):
+            _check_in_plane(number, leg)
     gathered = gather([_leg(leg, chosen) for leg in legs], limits, working_mode)
     return Mechanism(chosen, gathered)
 
@@ -66,6 +70,22 @@ def _joints(motion: Motion) -> int:
     if motion.name.startswith("planar"):
         return PLANE_JOINTS
     return PARALLEL_JOINTS if not motion.turns else BALL_JOINTS
+
+
+def _check_in_plane(number: int, leg: CrankLeg | RailLeg | StrutLeg) -> None:
+    """Raise GeometryError unless all joints of a leg can be revolutes about z."""
+    if leg.base_point[2] != leg.platform_point[2]:
+        raise GeometryError(
+            f"a planar motion needs its base and platform point at the same z; given "
+            f"{leg.base_point[2]} and {leg.platform_point[2]}",
+            leg=number,
+        )
+    if isinstance(leg, CrankLeg) and any(leg.axis[:2]):
+        detail = f"a planar motion needs its crank's axis along z; given {leg.axis}"
+        raise GeometryError(detail, leg=number)
+    if isinstance(leg, RailLeg) and leg.direction[2] != 0.0:
+        detail = f"a planar motion needs its rail in the plane; given {leg.direction}"
+        raise GeometryError(detail, leg=number)
 
 
 def _crank(leg: CrankLeg, motion: Motion) -> Leg:

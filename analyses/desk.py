@@ -7,7 +7,7 @@ from typing import Any
 from analyses.analysis import Analysis, Arrays
 from analyses.effort import Effort
 from analyses.inverse_kinematics import InverseKinematics
-from analyses.kinds import kinds
+from analyses.kinds import describe
 from analyses.mechanisms import check_mechanism
 from analyses.plan import Plan
 from analyses.singularity import Singularity
@@ -17,7 +17,7 @@ from schemas.analyses import Request, parse_request
 from schemas.estimates import Estimate
 from schemas.examples import EXAMPLES
 from schemas.kinds import Kind
-from schemas.mechanisms import StoredMechanism
+from schemas.mechanisms import KINDS, StoredMechanism
 from schemas.quantities import Model
 
 ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
@@ -80,7 +80,12 @@ def has_grid(analysis: str) -> bool:
 
 def offered_kinds() -> list[Kind]:
     """Return the mechanism families with what can be asked of them."""
-    return kinds(list(ANALYSES))
+    return [offered_kind(name) for name in KINDS]
+
+
+def offered_kind(name: str) -> Kind:
+    """Return one mechanism family; raise KeyError if there is none of this name."""
+    return describe(name, list(ANALYSES))
 
 
 def warm() -> None:

@@ -8,7 +8,15 @@ import numpy as np
 from analyses.analysis import Analysis, Arrays, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
-from analyses.poses import check_poses, check_rows, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.poses import (
+    check_motion,
+    check_poses,
+    check_rows,
+    obstacle_rows,
+    obstacles,
+    pose_conditions,
+    signs,
+)
 from analyses.units import effort_units
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
@@ -32,14 +40,18 @@ class Effort(Analysis[EffortRequest]):
 
     def check(self, request: EffortRequest, node_limit: int) -> None:
         """Raise AnalysisError if poses, working mode or loads do not fit."""
-        check_poses(_mechanism(request), request.poses)
+        mechanism = _mechanism(request)
+        check_poses(mechanism, request.poses)
         count = len(request.poses)
         if request.known_load is not None:
             _check_known(request.known_load, count)
         for name in ("platform_rates", "platform_accelerations"):
             rows = getattr(request, name)
-            if rows is not None and len(rows) != 1:
+            if rows is None:
+                continue
+            if len(rows) != 1:
                 check_rows(f"/{name}", rows, count, 6)
+            check_motion(f"/{name}", mechanism, rows)
 
     def items(self, request: EffortRequest) -> int:
         """Return the number of poses."""

@@ -12,12 +12,13 @@ from schemas.starters import STARTERS
 DRIVES = {CRANK: "crank", RAIL: "rail", STRUT: "strut"}
 
 
-def kinds(analyses: list[str]) -> list[Kind]:
-    """Return all kinds, each offering these analyses."""
-    return [_kind(name, analyses) for name in KINDS]
+def describe(name: str, analyses: list[str]) -> Kind:
+    """Return one kind, offering those of these analyses that make sense for it.
 
-
-def _kind(name: str, analyses: list[str]) -> Kind:
+    Raises
+    ------
+    KeyError : there is no such kind.
+    """
     spec = KINDS[name]
     presets = [preset for preset in PRESETS if preset.mechanism.kind == name]
     example = STARTERS[name]

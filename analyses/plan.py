@@ -1,6 +1,5 @@
 """How a request is cut into tiles."""
 
-import math
 from dataclasses import dataclass
 
 
@@ -10,16 +9,6 @@ class Plan:
 
     items: int
     items_per_tile: int
-
-    @property
-    def tiles(self) -> int:
-        """How many tiles there are."""
-        return math.ceil(self.items / self.items_per_tile)
-
-    def bounds(self, index: int) -> tuple[int, int]:
-        """Return the first item of a tile and the first one after it."""
-        start = index * self.items_per_tile
-        return start, min(start + self.items_per_tile, self.items)
 
 
 def cut(items: int, seconds_per_item: float, tile_seconds: float, line: int = 1) -> Plan:

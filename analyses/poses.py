@@ -20,6 +20,9 @@ NO_LEG = -1
 """The leg of an obstacle that all legs make together."""
 
 ITEM_ARRAYS = ("pose", "leg", "reason", "value", "limit")
+_FOREIGN = 1e-12
+"""A rate that the motion lacks may be this share of the twist, from rounding."""
+
 REASONS = ("reach", "actuator_limits", "singularity")
 
 
@@ -45,6 +48,23 @@ def check_rows(pointer: str, rows: Sequence[Sequence[float]], poses: int, width:
         if len(row) != width:
             detail = f"must have {width} numbers; given {len(row)}"
             raise AnalysisError((f"{pointer}/{number}", detail))
+
+
+def check_motion(pointer: str, mechanism: Mechanism, rows: Sequence[Sequence[float]]) -> None:
+    """Raise AnalysisError if a row [v, w] has a part that the motion lacks."""
+    twists = np.array(rows, dtype=float)
+    basis = mechanism.motion.twists
+    foreign = np.abs(twists - twists @ basis @ basis.T)
+    wrong = np.argwhere(foreign > _FOREIGN * np.linalg.norm(twists, axis=1, keepdims=True))
+    if wrong.size:
+        row, part = (int(index) for index in wrong[0])
+        raise AnalysisError(
+            (
+                f"{pointer}/{row}/{part}",
+                f"the motion {mechanism.motion.name} has no such rate and it must be 0; "
+                f"given {twists[row, part]}",
+            )
+        )
 
 
 def pose_conditions(mechanism: Mechanism) -> tuple[Condition, Condition]:

@@ -6,9 +6,9 @@ import numpy as np
 
 from analyses.analysis import Analysis, Arrays, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
-from analyses.errors import AnalysisError
 from analyses.mechanisms import build
 from analyses.poses import (
+    check_motion,
     check_poses,
     check_rows,
     obstacle_rows,
@@ -18,7 +18,6 @@ from analyses.poses import (
 )
 from analyses.units import rate_units
 from mechanics import velocity
-from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
 from schemas.poses import Obstacle
@@ -27,8 +26,6 @@ from schemas.velocity import VelocityRequest, VelocityResult
 
 SECONDS_PER_LEG = 4e-6
 NUMBERS_PER_LEG = 7
-_FOREIGN = 1e-12
-"""A rate that the motion lacks may be this share of the twist, from rounding."""
 
 
 class Velocity(Analysis[VelocityRequest]):
@@ -43,7 +40,7 @@ class Velocity(Analysis[VelocityRequest]):
         count = len(request.poses)
         if request.platform_rates is not None:
             check_rows("/platform_rates", request.platform_rates, count, 6)
-            _check_motion(mechanism, np.array(request.platform_rates, dtype=float))
+            check_motion("/platform_rates", mechanism, request.platform_rates)
         if request.actuator_rates is not None:
             check_rows("/actuator_rates", request.actuator_rates, count, mechanism.leg_count)
 
@@ -105,19 +102,3 @@ class Velocity(Analysis[VelocityRequest]):
 
 def _mechanism(request: VelocityRequest) -> Mechanism:
     return build(request.mechanism, request.working_mode)
-
-
-def _check_motion(mechanism: Mechanism, twists: Floats) -> None:
-    basis = mechanism.motion.twists
-    foreign = np.abs(twists - twists @ basis @ basis.T)
-    sizes = np.linalg.norm(twists, axis=1, keepdims=True)
-    wrong = np.argwhere(foreign > _FOREIGN * sizes)
-    if wrong.size:
-        row, part = (int(index) for index in wrong[0])
-        raise AnalysisError(
-            (
-                f"/platform_rates/{row}/{part}",
-                f"the motion {mechanism.motion.name} has no such rate and it must be 0; "
-                f"given {twists[row, part]}",
-            )
-        )

@@ -161,7 +161,9 @@ def _shown(
     }
     one_leg = {"effort": "Greatest effort of drive", "actuators": "Coordinate of drive"}
     label = texts[name] if leg is None else f"{one_leg[name]} {leg}"
-    limit = request.effective.max_effort if request.effective is not None else None
+    # Blocks of a higher class than the one asked are not applied, so their bounds say nothing.
+    applied = request.effective if request.class_ == "effective" else None
+    limit = None if applied is None else applied.max_effort
     shown_limit = limit if isinstance(limit, float) and "effort" in name else None
     return PictureField(label, field_units(request, mechanism)[name], values, shown_limit)
 

@@ -13,7 +13,7 @@ from analyses.units import determinant_unit, drive_units, effort_units, shared_u
 from mechanics import fields as kept
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
-from mechanics.conditions.crank_rod_angle import CrankRodAngle
+from mechanics.conditions.crank_rod_angle import CrankRodAngle, legs_with_elbows
 from mechanics.conditions.effort import Effort
 from mechanics.conditions.reach import Reach
 from mechanics.conditions.rod_rod_angle import RodRodAngle, rods_at_shared_joints
@@ -152,12 +152,16 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
 
 def _constructive_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[tuple[str, str]]:
     bounds = request.constructive
-    if bounds is None or rods_at_shared_joints(mechanism):
-        return []
+    missing = []
+    if not legs_with_elbows(mechanism):
+        missing.append(("crank_rod_angle", "no leg of this mechanism has a crank and a rod"))
+    if not rods_at_shared_joints(mechanism):
+        missing.append(("rod_rod_angle", "no two rods of this mechanism share a joint"))
     return [
-        (f"/constructive/{name}", "no two rods of this mechanism share a joint")
-        for name in ("min_rod_rod_angle", "max_rod_rod_angle")
-        if getattr(bounds, name) is not None
+        (f"/constructive/{end}_{angle}", detail)
+        for angle, detail in missing
+        for end in ("min", "max")
+        if bounds is not None and getattr(bounds, f"{end}_{angle}") is not None
     ]
 
 

@@ -27,7 +27,7 @@ def signed_efforts(block: Configuration, load: Load) -> Floats:
     Returns
     -------
     array, shape (drives, poses)
-        NaN where a leg cannot reach or det Jx = 0. [N m for cranks]
+        NaN where a leg cannot reach or det Jx = 0. [N m or N]
 
     References
     ----------
@@ -45,7 +45,7 @@ def worst_efforts(block: Configuration, load: Load) -> Floats:
     Returns
     -------
     array, shape (drives, poses)
-        Not below 0; NaN where a leg cannot reach or det Jx = 0. [N m for cranks]
+        Not below 0; NaN where a leg cannot reach or det Jx = 0. [N m or N]
 
     References
     ----------

@@ -15,20 +15,20 @@ Field = Callable[[Configuration], Floats]
 
 
 def effort(load: Load) -> Field:
-    """Return the field of each drive's greatest effort, shape (legs, poses). [N m]"""
+    """Return the field of each drive's greatest effort, shape (legs, poses). [N m or N]"""
     return partial(worst_efforts, load=load)
 
 
 def effort_max(load: Load) -> Field:
-    """Return the field of the greatest effort of any drive, shape (poses,). [N m]"""
+    """Return the field of the greatest effort of any drive, shape (poses,). [N m or N]"""
     return lambda block: np.max(worst_efforts(block, load), axis=0)
 
 
 def determinant(block: Configuration) -> Floats:
-    """Return the field of det Jx, shape (poses,)."""
+    """Return the field of det Jx, shape (poses,). [m to the number of turns]"""
     return block.determinants
 
 
 def actuators(block: Configuration) -> Floats:
-    """Return the field of the drive coordinates, shape (legs, poses). [rad]"""
+    """Return the field of the drive coordinates, shape (legs, poses). [rad or m]"""
     return block.actuators

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.arrays import Floats, Integers
+from mechanics.arrays import Floats
 from mechanics.kernels.placing import grid_poses
 
 TOLERANCE = 1e-9
@@ -79,7 +79,3 @@ class Grid:
             self.fixed,
         )
         return poses
-
-    def indices(self, node: int) -> Integers:
-        """Return the index of a flat node along each axis."""
-        return np.array(np.unravel_index(node, self.shape), dtype=np.int64)

@@ -14,7 +14,8 @@ class Load:
     Parameters
     ----------
     force, moment : sizes, not below 0. [N, N m]
-    known : array, shape (6, poses) or (6, 1): a wrench on top whose direction is known.
+    known : array, shape (6, poses) or (6, 1): a wrench on top whose direction is
+        known. [N, N m]
     """
 
     force: float = 0.0

@@ -38,7 +38,9 @@ def check_regular(mechanism: Mechanism) -> None:
 
 def _check_distinct(mechanism: Mechanism) -> None:
     legs = mechanism.legs
-    ends = np.hstack([legs.base_point, legs.platform_point, legs.axis, legs.zero_direction])
+    vectors = (legs.base_point, legs.platform_point, legs.axis, legs.zero_direction)
+    numbers = (legs.drive, legs.crank_length, legs.rod_length, legs.working_mode)
+    ends = np.hstack([*vectors, np.stack(numbers, axis=1)])
     for one in range(len(ends)):
         for two in range(one):
             if np.array_equal(ends[one], ends[two]):

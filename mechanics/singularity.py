@@ -19,7 +19,7 @@ class Singularities(NamedTuple):
 
     Parameters
     ----------
-    determinant : array, shape (poses,), of Jx as it is.
+    determinant : array, shape (poses,), of Jx as it is. [m to the number of turns]
     condition_number : array, shape (poses,), of Jx with turns measured at the characteristic
         length; infinite at a type 2 singularity.
     type : array, shape (poses,): 0 none; 1 a leg stretched or folded (Jpsi = 0); 2 the platform

@@ -2,12 +2,13 @@
 
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+import numpy as np
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
-from schemas.legged import Vector, WorkingMode
+from schemas.legged import Twist, Vector, WorkingMode
 from schemas.mechanisms import Mechanism
 from schemas.poses import Obstacle, Poses
-from schemas.quantities import Finite, Model, Size
+from schemas.quantities import Model, Size
 
 
 def _shape(value: Any) -> str:  # noqa: ANN401
@@ -40,7 +41,16 @@ class KnownLoad(Model):
 
 
 Matrix = Annotated[list[Vector], Field(min_length=3, max_length=3)]
-Twist = Annotated[list[Finite], Field(min_length=6, max_length=6)]
+
+
+def is_inertia(matrix: list[list[float]]) -> bool:
+    """Return whether a 3 x 3 matrix can be a body's inertia about its centre of mass."""
+    tensor = np.array(matrix)
+    if not np.array_equal(tensor, tensor.T):
+        return False
+    least, middle, greatest = np.linalg.eigvalsh(tensor)
+    slack = 1e-9 * abs(greatest)
+    return bool(least >= -slack and greatest <= least + middle + slack)
 
 
 class PlatformBody(Model):
@@ -57,6 +67,16 @@ class PlatformBody(Model):
     gravity: Vector | None = Field(
         default=None, description="In the base frame; [0, 0, -9.80665] by default. [m/s^2]"
     )
+
+    @field_validator("inertia", mode="after")
+    @classmethod
+    def _of_a_body(cls, matrix: list[list[float]] | None) -> list[list[float]] | None:
+        if matrix is not None and not is_inertia(matrix):
+            raise ValueError(
+                "must be symmetric with principal moments of which none is below 0 nor above the "
+                "sum of the others"
+            )
+        return matrix
 
 
 class EffortRequest(Model):

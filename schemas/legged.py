@@ -18,6 +18,7 @@ def _no_truth(value: Any) -> Any:  # noqa: ANN401
 Sign = Annotated[Literal[1, -1], BeforeValidator(_no_truth)]
 WorkingMode = list[Sign]
 Vector = Annotated[list[Finite], Field(min_length=3, max_length=3)]
+Twist = Annotated[list[Finite], Field(min_length=6, max_length=6)]
 
 
 class ActuatorLimit(Model):

@@ -4,12 +4,10 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from schemas.legged import WorkingMode
+from schemas.legged import Twist, WorkingMode
 from schemas.mechanisms import Mechanism
 from schemas.poses import MOST_POSES, Obstacle, Poses
 from schemas.quantities import Finite, Model
-
-Twist = Annotated[list[Finite], Field(min_length=6, max_length=6)]
 
 
 class VelocityRequest(Model):

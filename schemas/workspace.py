@@ -60,7 +60,7 @@ class Effective(Model):
     )
     max_effort: Limit | list[Limit] | None = Field(
         default=None,
-        description="Greatest effort of any drive under load: one, or one per leg. [N m]",
+        description="Greatest effort of any drive under load: one, or one per leg. [N m or N]",
     )
 
     @field_validator("max_effort", mode="after")

@@ -11,7 +11,7 @@ from mechanics.mechanism import Mechanism
 
 
 class Effort(Condition):
-    """The greatest effort of each drive is at most its limit, shape (legs,). [N m]"""
+    """The greatest effort of each drive is at most its limit, shape (legs,). [N m or N]"""
 
     reason = "effort"
 
@@ -21,10 +21,10 @@ class Effort(Condition):
         self._limits = limits[:, None]
 
     def check(self, block: Configuration) -> Floats:
-        """Return how far below its limit each drive's greatest effort is. [N m]"""
+        """Return how far below its limit each drive's greatest effort is. [N m or N]"""
         return self._limits - worst_efforts(block, self._load)
 
     def explain(self, block: Configuration) -> Breach:
-        """Return the drives' greatest efforts and their limits. [N m]"""
+        """Return the drives' greatest efforts and their limits. [N m or N]"""
         values = worst_efforts(block, self._load)
         return Breach(values, np.broadcast_to(self._limits, values.shape))

@@ -36,7 +36,7 @@ def spherical_3rrr(
 
     Raises
     ------
-    GeometryError : an arc is 0 or pi.
+    GeometryError : an arc is 0.
     """
     legs = [
         Leg(

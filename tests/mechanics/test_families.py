@@ -9,8 +9,8 @@ from mechanics.configuration import Configuration
 from mechanics.errors import GeometryError, MechanicsError, PoseError
 from mechanics.families.five_bar import five_bar
 from mechanics.families.planar_3rrr import planar_3rrr
-from mechanics.inverse import actuators
 from mechanics.mechanism import Mechanism
+from tests.oracles.drives import actuators
 
 BAD_LENGTHS = [0.0, -1.0, math.nan]
 

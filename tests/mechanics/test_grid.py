@@ -72,8 +72,3 @@ def test_a_stretch_is_part_of_the_whole() -> None:
 
 def test_no_nodes_make_no_poses() -> None:
     assert PLANE.poses(5, 5).shape == (3, 0)
-
-
-@pytest.mark.parametrize("node", range(12))
-def test_index_of_a_flat_node(node: int) -> None:
-    assert tuple(PLANE.indices(node)) == divmod(node, 4)

@@ -7,9 +7,9 @@ from hypothesis import assume, given
 
 import analyses
 from mechanics.configuration import Configuration
-from mechanics.inverse import actuators
 from schemas.inverse_kinematics import InverseKinematicsAllModesResult
 from tests.oracles import planar
+from tests.oracles.drives import actuators
 from tests.properties.samples import MODEST, Sample, samples
 
 
