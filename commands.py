@@ -52,8 +52,8 @@ def serve(
     data: Data = None,
 ) -> None:
     """Serve HTTP and run jobs until Ctrl-C."""
-    settings = _settings(host=host, port=port, data=data)
     with _told_errors():
+        settings = _settings(host=host, port=port, data=data)
         free_port = _free_port(settings.host, settings.port)
         storage.migrate(settings.resolved_database_url)
     environment = {
@@ -190,7 +190,7 @@ def _told_errors() -> Iterator[None]:
     """Say what keeps us from starting, instead of a traceback."""
     try:
         yield
-    except (OSError, storage.DatabaseUnavailable) as error:
+    except (OSError, ValueError, storage.StorageRefusal) as error:
         _tell(f"cannot start: {error}")
         raise typer.Exit(1) from error
 

@@ -164,6 +164,9 @@ def declared(*statuses: int) -> Responses:
         413: "The body is too large",
         415: "The body is not declared as JSON",
         422: "The request makes no sense; `errors` says which field, given and allowed",
+        500: "The job failed in the system, or was lost",
+        504: "A part of the job took too long",
+        507: "The job needed more memory than there is",
         503: "The queue is full or the database cannot be reached; see Retry-After",
     }
     return {

@@ -4,6 +4,7 @@ from storage.arrays import Arrays, pack_arrays, unpack_arrays
 from storage.database import Database, open_database
 from storage.errors import (
     DatabaseUnavailable,
+    DatabaseUnsupported,
     IdempotencyConflict,
     JobNotFound,
     JobStillRunning,
@@ -34,6 +35,7 @@ __all__ = [
     "Cursor",
     "Database",
     "DatabaseUnavailable",
+    "DatabaseUnsupported",
     "ErrorKind",
     "Fault",
     "Heartbeats",

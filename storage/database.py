@@ -14,7 +14,7 @@ from sqlalchemy.exc import InterfaceError, OperationalError
 from sqlalchemy.exc import TimeoutError as PoolTimeout
 from sqlalchemy.pool import ConnectionPoolEntry
 
-from storage.errors import DatabaseUnavailable
+from storage.errors import DatabaseUnavailable, DatabaseUnsupported
 from storage.migrations import newest_revision
 
 # How long a writer waits for the writer before it. [s]
@@ -84,8 +84,14 @@ def open_database(url: str) -> Database:
 
 def create_database_engine(url: str) -> Engine:
     """Return an engine on which `writes=True` connections take SQLite's write lock at once."""
-    if make_url(url).get_backend_name() != "sqlite":
-        return create_engine(url, pool_size=10, max_overflow=40, pool_pre_ping=True)
+    backend = make_url(url).get_backend_name()
+    if backend not in ("sqlite", "postgresql"):
+        raise DatabaseUnsupported(backend, "only sqlite and postgresql are")
+    if backend == "postgresql":
+        try:
+            return create_engine(url, pool_size=10, max_overflow=40, pool_pre_ping=True)
+        except ModuleNotFoundError as error:
+            raise DatabaseUnsupported(backend, f"its driver is missing ({error})") from error
     engine = create_engine(
         url, pool_size=10, max_overflow=40, connect_args={"timeout": BUSY_SECONDS}
     )

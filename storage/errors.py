@@ -59,3 +59,11 @@ class LeaseLost(StorageRefusal):
         self.job_id = job_id
         self.owner = owner
         self.attempt = attempt
+
+
+class DatabaseUnsupported(StorageRefusal):
+    """Neither SQLite nor PostgreSQL, or its driver is not installed."""
+
+    def __init__(self, backend: str, reason: str) -> None:
+        super().__init__(f"a database of the kind {backend!r} cannot be used: {reason}")
+        self.backend = backend

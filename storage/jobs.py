@@ -104,13 +104,6 @@ class Jobs:
         with self._database.reading() as connection:
             return [to_job(row) for row in connection.execute(query)]
 
-    def count_by_state(self) -> dict[JobState, int]:
-        """Return how many jobs are in each state."""
-        query = select(jobs.c.state, func.count()).group_by(jobs.c.state)
-        with self._database.reading() as connection:
-            counted = {JobState(state): count for state, count in connection.execute(query)}
-        return {state: counted.get(state, 0) for state in JobState}
-
     def request_cancel(self, job_id: str) -> Job:
         """Stop a job: at once while no engine works on it, else as soon as its engine hears of it.
 

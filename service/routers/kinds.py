@@ -19,7 +19,7 @@ def list_kinds() -> KindPage:
 @router.get("/{kind}", operation_id="get_kind", responses=declared(404))
 def get_kind(kind: str) -> Kind:
     """Return one mechanism family."""
-    for offered in analyses.offered_kinds():
-        if offered.kind == kind:
-            return offered
-    raise not_found("kind", kind)
+    try:
+        return analyses.offered_kind(kind)
+    except KeyError as error:
+        raise not_found("kind", kind) from error

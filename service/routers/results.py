@@ -1,5 +1,6 @@
 """`/v1/jobs/{id}/result|grid|figure`: what a successful job has made."""
 
+import re
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -52,7 +53,7 @@ def _binary(*formats: str) -> Responses:
     "/result",
     operation_id="get_result",
     response_model=AnalysisResult,
-    responses=declared(404),
+    responses=declared(404, 422, 500, 504, 507),
 )
 def get_result(job_id: str, stores: UsedStores) -> Response:
     """Return the result; a failed job answers with its stored problem."""
@@ -64,7 +65,7 @@ def get_result(job_id: str, stores: UsedStores) -> Response:
     "/grid",
     operation_id="get_grid",
     response_class=FileResponse,
-    responses=_binary("npz", "csv") | declared(404, 406),
+    responses=_binary("npz", "csv") | declared(404, 406, 422, 500, 504, 507),
 )
 def get_grid(
     job_id: str,
@@ -89,7 +90,7 @@ def get_grid(
     "/figure",
     operation_id="get_figure",
     response_class=FileResponse,
-    responses=_binary("png", "svg") | declared(404, 406, 422),
+    responses=_binary("png", "svg") | declared(404, 406, 422, 500, 504, 507),
 )
 def get_figure(
     job_id: str,
@@ -140,17 +141,31 @@ def _gridded(stores: Stores, job_id: str) -> WorkspaceRequest:
 
 
 def _accepted(accept: str | None, formats: tuple[str, ...]) -> Any:  # noqa: ANN401
-    """Return the first offered format that the Accept header names; by default the first."""
-    wanted = [part.split(";")[0].strip().lower() for part in (accept or "*/*").split(",")]
-    for media_type in wanted:
+    """Return the offered format that the Accept header ranks highest; by default the first."""
+    for wanted in _by_rank(accept or "*/*"):
         for name in formats:
-            if media_type == MEDIA_TYPES[name]:
+            if _matches(wanted, MEDIA_TYPES[name]):
                 return name
-    general = {"*/*", "application/*", "image/*", "application/octet-stream", "text/*"}
-    if general & set(wanted):
-        return formats[0]
     offered = ", ".join(MEDIA_TYPES[name] for name in formats)
     raise Refusal("not-acceptable", 406, "Not acceptable", f"given {accept!r}; offered: {offered}")
+
+
+def _by_rank(accept: str) -> list[str]:
+    """Return the media types of an Accept header, the most wanted first, without those refused."""
+    ranked = []
+    for part in accept.lower().split(","):
+        media_type, *parameters = (word.strip() for word in part.split(";"))
+        ranks = [p.removeprefix("q=") for p in parameters if p.startswith("q=")]
+        rank = float(ranks[0]) if ranks and re.fullmatch(r"[01](\.\d*)?", ranks[0]) else 1.0
+        if rank > 0.0:
+            ranked.append((-rank, media_type))
+    return [media_type for _, media_type in sorted(ranked, key=lambda entry: entry[0])]
+
+
+def _matches(wanted: str, offered: str) -> bool:
+    general = wanted == "*/*" or wanted == offered.split("/")[0] + "/*"
+    # Every file is a stream of octets.
+    return general or wanted in (offered, "application/octet-stream")
 
 
 def _file(
@@ -169,6 +184,6 @@ def _file(
         path,
         media_type=MEDIA_TYPES[path.suffix[1:]],
         filename=f"{job_id}-{name}",
-        headers={"ETag": etag},
+        headers={"ETag": etag, "Vary": "Accept"},
         content_disposition_type="inline",
     )

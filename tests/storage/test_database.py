@@ -111,3 +111,8 @@ def test_a_database_that_cannot_be_opened_is_unavailable(tmp_path: Path) -> None
     database = storage.open_database(f"sqlite:///{tmp_path / 'no' / 'folder.sqlite'}")
     with pytest.raises(storage.DatabaseUnavailable):
         database.is_current()
+
+
+def test_another_kind_of_database_is_refused() -> None:
+    with pytest.raises(storage.DatabaseUnsupported, match="mysql"):
+        storage.open_database("mysql://somewhere/parmech")

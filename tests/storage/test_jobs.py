@@ -92,15 +92,6 @@ def test_pages_hold_what_is_asked_for(
     assert [job.id for job in jobs.page(size=10, **wanted)] == [special.id]  # type: ignore[arg-type]
 
 
-def test_jobs_are_counted(jobs: storage.Jobs, queue: storage.Queue, new_job: NewJobs) -> None:
-    for _ in range(3):
-        jobs.create(new_job())
-    queue.claim()
-    counted = jobs.count_by_state()
-    assert (counted[JobState.ACCEPTED], counted[JobState.RUNNING]) == (2, 1)
-    assert counted[JobState.FAILED] == 0
-
-
 def test_a_waiting_job_is_cancelled_at_once(jobs: storage.Jobs, new_job: NewJobs) -> None:
     job, _ = jobs.create(new_job())
     assert jobs.request_cancel(job.id).state == JobState.CANCELLED

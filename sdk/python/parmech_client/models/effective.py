@@ -21,7 +21,7 @@ class Effective:
     Attributes:
         load (LoadSize | None | Unset): The load of max_effort and of the effort fields.
         max_effort (float | list[float] | None | Unset): Greatest effort of any drive under load: one, or one per leg.
-            [N m]
+            [N m or N]
     """
 
     load: LoadSize | None | Unset = UNSET
