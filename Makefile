@@ -55,7 +55,7 @@ contracts: $(STAMP) ## Who may import whom
 tests: $(STAMP) ## pytest (ARGS="tests/mechanics -k effort" for some)
 	$(BIN)/pytest $(ARGS)
 
-bench: $(STAMP) ## Measure the kernels and a whole job
+bench: $(STAMP) ## Measure the kernels against floors and rivals
 	$(BIN)/python -m benchmarks
 
 openapi: $(STAMP) ## Write openapi.json as the application describes itself

@@ -10,7 +10,6 @@ def configure() -> None:
     """Write the logs of this process, and those of its libraries from warnings on."""
     structlog.configure(
         processors=[
-            structlog.contextvars.merge_contextvars,
             structlog.processors.add_log_level,
             structlog.processors.TimeStamper(fmt="iso", utc=True),
             structlog.processors.format_exc_info,
