@@ -7,61 +7,17 @@ shared by the determinant and by all cofactors.
 """
 
 import math
-from itertools import combinations
 
 import numpy as np
 
-from mechanics.arrays import Floats, Integers
+from mechanics.arrays import Floats
 from mechanics.kernels.compiling import inlined, kernel
+
+Row = tuple[float, ...]
 
 EPSILON = 2.0**-52
 LANES = 32
-"""Matrices expanded together: their minors stay in the nearest cache."""
-
-
-def _sign(order: tuple[int, ...]) -> int:
-    """Return the sign of a permutation."""
-    swaps = sum(a > b for a, b in combinations(order, 2))
-    return -1 if swaps % 2 else 1
-
-
-_PAIRS_6: list[tuple[int, ...]] = list(combinations(range(6), 2))
-_TRIPLES_6: list[tuple[int, ...]] = list(combinations(range(6), 3))
-
-
-def _determinant_terms_6() -> Integers:
-    """Return, shape (20, 3), sign, upper triple and lower triple of each term."""
-    terms = []
-    for t, triple in enumerate(_TRIPLES_6):
-        rest = tuple(c for c in range(6) if c not in triple)
-        terms.append((_sign(triple + rest), t, _TRIPLES_6.index(rest)))
-    return np.array(terms, dtype=np.int64)
-
-
-def _columns_left_6() -> tuple[Integers, Integers]:
-    """Return the ten pairs of the five columns but one, and the triples that are left beside.
-
-    Shapes (6, 10) each, by the column that is left out.
-    """
-    pairs, triples = np.empty((6, 10), np.int64), np.empty((6, 10), np.int64)
-    for column in range(6):
-        columns = [c for c in range(6) if c != column]
-        for n, pair in enumerate(combinations(columns, 2)):
-            pairs[column, n] = _PAIRS_6.index(pair)
-            triples[column, n] = _TRIPLES_6.index(tuple(c for c in columns if c not in pair))
-    return pairs, triples
-
-
-_DETERMINANT_6 = _determinant_terms_6()
-_PAIRS_LEFT_6, _TRIPLES_LEFT_6 = _columns_left_6()
-_PAIR_COLUMNS_6 = np.array(_PAIRS_6)
-_TRIPLE_COLUMNS_6 = np.array(_TRIPLES_6)
-_TRIPLE_PAIRS_6 = np.array(
-    [
-        [_PAIRS_6.index((q, r)), _PAIRS_6.index((p, r)), _PAIRS_6.index((p, q))]
-        for p, q, r in _TRIPLES_6
-    ]
-)
+"""6 x 6 matrices expanded together, in scratch arrays that stay in the nearest cache."""
 
 
 @kernel
@@ -155,12 +111,8 @@ def _others(j: int) -> tuple[int, int, int]:
 
 @kernel
 def _six_by_lanes(matrices: Floats, adjugates: Floats, determinants: Floats) -> None:
-    """Expand as many matrices as there are lanes at a time, in scratch arrays of fixed strides."""
-    a = np.ones((6, 6, LANES))
-    c = np.empty((6, 6, LANES))
-    det = np.empty(LANES)
-    pairs = np.empty((6, 15, LANES))
-    triples = np.empty((2, 20, LANES))
+    # Scratch of known size, made here: the compiler sees that nothing overlaps, and vectorises.
+    a, c, det = np.ones((6, 6, LANES)), np.empty((6, 6, LANES)), np.empty(LANES)
     count = determinants.size
     for first in range(0, count, LANES):
         lanes = min(LANES, count - first)
@@ -168,7 +120,7 @@ def _six_by_lanes(matrices: Floats, adjugates: Floats, determinants: Floats) -> 
             for j in range(6):
                 for i in range(lanes):
                     a[p, j, i] = matrices[p, j, first + i]
-        _six(a, c, det, pairs, triples)
+        _expand(a, c, det)
         for p in range(6):
             for j in range(6):
                 for i in range(lanes):
@@ -178,58 +130,157 @@ def _six_by_lanes(matrices: Floats, adjugates: Floats, determinants: Floats) -> 
 
 
 @inlined
-def _six(a: Floats, c: Floats, det: Floats, pairs: Floats, triples: Floats) -> None:
-    for half in range(2):
-        _minors(a, half, pairs, triples[half])
-    det[:] = 0.0
-    for n in range(20):
-        sign = float(_DETERMINANT_6[n, 0])
-        t, u = triples[0, _DETERMINANT_6[n, 1]], triples[1, _DETERMINANT_6[n, 2]]
-        for i in range(LANES):
-            det[i] += sign * (t[i] * u[i])
-    for row in range(6):
-        half = row // 3
-        for j in range(6):
-            sign = float(1 - 2 * ((half + j) % 2))
-            _sum_of_products(
-                _PAIRS_LEFT_6[j], _TRIPLES_LEFT_6[j], sign, pairs[row], triples[1 - half], c[row, j]
-            )
-
-
-@inlined
-def _minors(a: Floats, half: int, pairs: Floats, triples: Floats) -> None:
-    """Write the minors of three rows: of the two others than each, and of all three."""
-    for p in range(3):
-        one, two = a[3 * half + (p + 1) % 3], a[3 * half + (p + 2) % 3]
-        for n in range(15):
-            x, y = _PAIR_COLUMNS_6[n, 0], _PAIR_COLUMNS_6[n, 1]
-            minor = pairs[3 * half + p, n]
-            ox, oy, tx, ty = one[x], one[y], two[x], two[y]
-            for i in range(LANES):
-                minor[i] = ox[i] * ty[i] - oy[i] * tx[i]
-    for n in range(20):
-        x, y, z = _TRIPLE_COLUMNS_6[n, 0], _TRIPLE_COLUMNS_6[n, 1], _TRIPLE_COLUMNS_6[n, 2]
-        first = pairs[3 * half, _TRIPLE_PAIRS_6[n, 0]]
-        second = pairs[3 * half, _TRIPLE_PAIRS_6[n, 1]]
-        third = pairs[3 * half, _TRIPLE_PAIRS_6[n, 2]]
-        ax, ay, az = a[3 * half, x], a[3 * half, y], a[3 * half, z]
-        minor = triples[n]
-        for i in range(LANES):
-            minor[i] = ax[i] * first[i] - ay[i] * second[i] + az[i] * third[i]
-
-
-@inlined
-def _sum_of_products(
-    p: Integers, t: Integers, sign: float, pairs: Floats, triples: Floats, total: Floats
-) -> None:
-    """Write a cofactor: minors of two rows times minors of three, over the five columns left."""
-    p0, p1, p2, p3, p4 = pairs[p[0]], pairs[p[1]], pairs[p[2]], pairs[p[3]], pairs[p[4]]
-    p5, p6, p7, p8, p9 = pairs[p[5]], pairs[p[6]], pairs[p[7]], pairs[p[8]], pairs[p[9]]
-    t0, t1, t2, t3, t4 = triples[t[0]], triples[t[1]], triples[t[2]], triples[t[3]], triples[t[4]]
-    t5, t6, t7, t8, t9 = triples[t[5]], triples[t[6]], triples[t[7]], triples[t[8]], triples[t[9]]
+def _expand(a: Floats, c: Floats, det: Floats) -> None:
+    """Write cofactors and determinants of 6 x 6 matrices, one a lane."""
     for i in range(LANES):
-        # A pair (a, b) of the five columns stands in front of the rest after a + b - 1 swaps.
-        total[i] = sign * (
-            (p0[i] * t0[i] - p1[i] * t1[i] + p2[i] * t2[i] - p3[i] * t3[i] + p4[i] * t4[i])
-            - (p5[i] * t5[i] - p6[i] * t6[i] - p7[i] * t7[i] + p8[i] * t8[i] - p9[i] * t9[i])
+        x0, x1, x2 = _row(a, 0, i), _row(a, 1, i), _row(a, 2, i)
+        y0, y1, y2 = _row(a, 3, i), _row(a, 4, i), _row(a, 5, i)
+        upper, lower = _pairs(x1, x2), _pairs(y1, y2)
+        above, below = _triples(x0, upper), _triples(y0, lower)
+        first = _row_of_cofactors(upper, below)
+        _store(c, 0, i, first, 1.0)
+        _store(c, 1, i, _row_of_cofactors(_pairs(x2, x0), below), 1.0)
+        _store(c, 2, i, _row_of_cofactors(_pairs(x0, x1), below), 1.0)
+        _store(c, 3, i, _row_of_cofactors(lower, above), -1.0)
+        _store(c, 4, i, _row_of_cofactors(_pairs(y2, y0), above), -1.0)
+        _store(c, 5, i, _row_of_cofactors(_pairs(y0, y1), above), -1.0)
+        det[i] = (
+            (x0[0] * first[0] + x0[1] * first[1])
+            + (x0[2] * first[2] + x0[3] * first[3])
+            + (x0[4] * first[4] + x0[5] * first[5])
         )
+
+
+@kernel
+def _row(a: Floats, p: int, i: int) -> Row:
+    return a[p, 0, i], a[p, 1, i], a[p, 2, i], a[p, 3, i], a[p, 4, i], a[p, 5, i]
+
+
+@kernel
+def _store(c: Floats, p: int, i: int, row: Row, sign: float) -> None:
+    c[p, 0, i] = sign * row[0]
+    c[p, 1, i] = sign * row[1]
+    c[p, 2, i] = sign * row[2]
+    c[p, 3, i] = sign * row[3]
+    c[p, 4, i] = sign * row[4]
+    c[p, 5, i] = sign * row[5]
+
+
+@kernel
+def _pairs(x: Row, y: Row) -> Row:
+    """Return the 15 minors of two rows, columns (0, 1), (0, 2), ... (4, 5)."""
+    return (
+        x[0] * y[1] - x[1] * y[0],
+        x[0] * y[2] - x[2] * y[0],
+        x[0] * y[3] - x[3] * y[0],
+        x[0] * y[4] - x[4] * y[0],
+        x[0] * y[5] - x[5] * y[0],
+        x[1] * y[2] - x[2] * y[1],
+        x[1] * y[3] - x[3] * y[1],
+        x[1] * y[4] - x[4] * y[1],
+        x[1] * y[5] - x[5] * y[1],
+        x[2] * y[3] - x[3] * y[2],
+        x[2] * y[4] - x[4] * y[2],
+        x[2] * y[5] - x[5] * y[2],
+        x[3] * y[4] - x[4] * y[3],
+        x[3] * y[5] - x[5] * y[3],
+        x[4] * y[5] - x[5] * y[4],
+    )
+
+
+@kernel
+def _triples(x: Row, p: Row) -> Row:
+    """Return the 20 minors of three rows, the last two given by their 15 minors `p`."""
+    return (
+        x[0] * p[5] - x[1] * p[1] + x[2] * p[0],
+        x[0] * p[6] - x[1] * p[2] + x[3] * p[0],
+        x[0] * p[7] - x[1] * p[3] + x[4] * p[0],
+        x[0] * p[8] - x[1] * p[4] + x[5] * p[0],
+        x[0] * p[9] - x[2] * p[2] + x[3] * p[1],
+        x[0] * p[10] - x[2] * p[3] + x[4] * p[1],
+        x[0] * p[11] - x[2] * p[4] + x[5] * p[1],
+        x[0] * p[12] - x[3] * p[3] + x[4] * p[2],
+        x[0] * p[13] - x[3] * p[4] + x[5] * p[2],
+        x[0] * p[14] - x[4] * p[4] + x[5] * p[3],
+        x[1] * p[9] - x[2] * p[6] + x[3] * p[5],
+        x[1] * p[10] - x[2] * p[7] + x[4] * p[5],
+        x[1] * p[11] - x[2] * p[8] + x[5] * p[5],
+        x[1] * p[12] - x[3] * p[7] + x[4] * p[6],
+        x[1] * p[13] - x[3] * p[8] + x[5] * p[6],
+        x[1] * p[14] - x[4] * p[8] + x[5] * p[7],
+        x[2] * p[12] - x[3] * p[10] + x[4] * p[9],
+        x[2] * p[13] - x[3] * p[11] + x[5] * p[9],
+        x[2] * p[14] - x[4] * p[11] + x[5] * p[10],
+        x[3] * p[14] - x[4] * p[13] + x[5] * p[12],
+    )
+
+
+@kernel
+def _row_of_cofactors(p: Row, t: Row) -> Row:
+    """Return the six cofactors of a row, up to the sign of its half.
+
+    `p` are the minors of the two other rows of its half, in cyclic order, which takes up the
+    row's own sign; `t` those of the other half. Laplace's expansion over the columns left.
+    """
+    return (
+        p[5] * t[19]
+        - p[6] * t[18]
+        + p[7] * t[17]
+        - p[8] * t[16]
+        + p[9] * t[15]
+        - p[10] * t[14]
+        + p[11] * t[13]
+        + p[12] * t[12]
+        - p[13] * t[11]
+        + p[14] * t[10],
+        -p[1] * t[19]
+        + p[2] * t[18]
+        - p[3] * t[17]
+        + p[4] * t[16]
+        - p[9] * t[9]
+        + p[10] * t[8]
+        - p[11] * t[7]
+        - p[12] * t[6]
+        + p[13] * t[5]
+        - p[14] * t[4],
+        p[0] * t[19]
+        - p[2] * t[15]
+        + p[3] * t[14]
+        - p[4] * t[13]
+        + p[6] * t[9]
+        - p[7] * t[8]
+        + p[8] * t[7]
+        + p[12] * t[3]
+        - p[13] * t[2]
+        + p[14] * t[1],
+        -p[0] * t[18]
+        + p[1] * t[15]
+        - p[3] * t[12]
+        + p[4] * t[11]
+        - p[5] * t[9]
+        + p[7] * t[6]
+        - p[8] * t[5]
+        - p[10] * t[3]
+        + p[11] * t[2]
+        - p[14] * t[0],
+        p[0] * t[17]
+        - p[1] * t[14]
+        + p[2] * t[12]
+        - p[4] * t[10]
+        + p[5] * t[8]
+        - p[6] * t[6]
+        + p[8] * t[4]
+        + p[9] * t[3]
+        - p[11] * t[1]
+        + p[13] * t[0],
+        -p[0] * t[16]
+        + p[1] * t[13]
+        - p[2] * t[11]
+        + p[3] * t[10]
+        - p[5] * t[7]
+        + p[6] * t[5]
+        - p[7] * t[4]
+        - p[9] * t[2]
+        + p[10] * t[1]
+        - p[12] * t[0],
+    )

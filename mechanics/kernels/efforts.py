@@ -31,6 +31,14 @@ def effort_rows(
 
 
 @kernel
+def part_norms_of(rows: Floats, k: int, i: int) -> tuple[float, float]:
+    """Return the sizes of the force part and of the moment part of one drive's row."""
+    x, y, z = rows[k, 0, i], rows[k, 1, i], rows[k, 2, i]
+    u, v, w = rows[k, 3, i], rows[k, 4, i], rows[k, 5, i]
+    return math.sqrt(x * x + y * y + z * z), math.sqrt(u * u + v * v + w * w)
+
+
+@kernel
 def part_norms(rows: Floats) -> tuple[Floats, Floats]:
     """Return the sizes of the force parts and of the moment parts, shape (drives, poses)."""
     count, _, poses = rows.shape
@@ -38,9 +46,7 @@ def part_norms(rows: Floats) -> tuple[Floats, Floats]:
     moments = np.empty((count, poses))
     for k in range(count):
         for i in range(poses):
-            r = rows[k]
-            forces[k, i] = math.sqrt(r[0, i] ** 2 + r[1, i] ** 2 + r[2, i] ** 2)
-            moments[k, i] = math.sqrt(r[3, i] ** 2 + r[4, i] ** 2 + r[5, i] ** 2)
+            forces[k, i], moments[k, i] = part_norms_of(rows, k, i)
     return forces, moments
 
 
