@@ -1,7 +1,7 @@
 """What an analysis is."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Generic, TypeVar
 
 import numpy as np
@@ -11,6 +11,7 @@ from analyses.plan import Plan, cut
 from schemas.quantities import Model
 
 Arrays = dict[str, NDArray[Any]]
+POSES_PER_BLOCK = 2048
 RequestT = TypeVar("RequestT", bound=Model)
 
 
@@ -59,6 +60,17 @@ class Analysis(ABC, Generic[RequestT]):
         return cut(
             self.items(request), self.seconds_per_item(request), tile_seconds, self.line(request)
         )
+
+
+def by_blocks(compute: Callable[[int, int], Arrays], start: int, stop: int) -> Arrays:
+    """Return the arrays of the poses `start` to `stop`, computed block by block.
+
+    All that is known of a block stays in cache; of a hundred thousand poses it would not.
+    """
+    return joined(
+        compute(first, min(first + POSES_PER_BLOCK, stop))
+        for first in range(start, stop, POSES_PER_BLOCK)
+    )
 
 
 def joined(stretches: Iterable[Arrays], axes: dict[str, int] | None = None) -> Arrays:

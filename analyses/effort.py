@@ -1,11 +1,12 @@
 """Effort: what the drives must bear under a load on the platform."""
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, joined
+from analyses.analysis import Analysis, Arrays, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import (
@@ -69,6 +70,9 @@ class Effort(Analysis[EffortRequest]):
 
     def compute(self, request: EffortRequest, start: int, stop: int) -> Arrays:
         """Return efforts, worst loads and obstacles of the poses `start` to `stop`."""
+        return by_blocks(partial(self._block, request), start, stop)
+
+    def _block(self, request: EffortRequest, start: int, stop: int) -> Arrays:
         mechanism = _mechanism(request)
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         block = Configuration(mechanism, poses)

@@ -1,10 +1,11 @@
 """Inverse kinematics: which drive positions hold a pose, in one working mode or in all."""
 
 from collections.abc import Iterable
+from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, joined
+from analyses.analysis import Analysis, Arrays, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.mechanisms import build
 from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
@@ -47,6 +48,9 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
 
     def compute(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
         """Return drive coordinates, verdicts and obstacles of the poses `start` to `stop`."""
+        return by_blocks(partial(self._block, request), start, stop)
+
+    def _block(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
         mechanism = _mechanism(request)
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         parts = []

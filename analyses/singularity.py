@@ -1,10 +1,11 @@
 """Singularity: how close a pose is to a singularity, and of which type that is."""
 
 from collections.abc import Iterable
+from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, joined
+from analyses.analysis import Analysis, Arrays, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import check_poses, obstacle_rows, obstacles, pose_conditions, signs
@@ -44,6 +45,9 @@ class Singularity(Analysis[SingularityRequest]):
 
     def compute(self, request: SingularityRequest, start: int, stop: int) -> Arrays:
         """Return the columns and obstacles of the poses `start` to `stop`."""
+        return by_blocks(partial(self._block, request), start, stop)
+
+    def _block(self, request: SingularityRequest, start: int, stop: int) -> Arrays:
         mechanism = _mechanism(request)
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         block = Configuration(mechanism, poses)

@@ -1,10 +1,11 @@
 """Velocity: rates of platform, drives and passive joints."""
 
 from collections.abc import Iterable
+from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, joined
+from analyses.analysis import Analysis, Arrays, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import (
@@ -59,6 +60,9 @@ class Velocity(Analysis[VelocityRequest]):
 
     def compute(self, request: VelocityRequest, start: int, stop: int) -> Arrays:
         """Return rates and obstacles of the poses `start` to `stop`."""
+        return by_blocks(partial(self._block, request), start, stop)
+
+    def _block(self, request: VelocityRequest, start: int, stop: int) -> Arrays:
         mechanism = _mechanism(request)
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         block = Configuration(mechanism, poses)

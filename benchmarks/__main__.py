@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from analyses.analysis import POSES_PER_BLOCK
 from benchmarks import rivals
 from mechanics import effort
 from mechanics.arrays import Floats
@@ -114,7 +115,11 @@ def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:
     split = len(mechanism.motion.translations)
     load = Load(10.0, 2.0)
     theirs = best(lambda: rivals.worst_efforts(matrices, 10.0, 2.0, split))
-    ours = best(lambda: effort.worst_efforts(Configuration(mechanism, poses), load))
+    starts = range(0, len(rows), POSES_PER_BLOCK)
+    blocks = [np.ascontiguousarray(poses[:, a : a + POSES_PER_BLOCK]) for a in starts]
+    ours = best(
+        lambda: [effort.worst_efforts(Configuration(mechanism, block), load) for block in blocks]
+    )
     report(name, len(rows), ours, theirs, "numpy.linalg.inv + norms, J given")
 
 
@@ -124,4 +129,4 @@ if __name__ == "__main__":
     random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))
     efforts("3-RRR efforts from poses, a pose", planar(), random_poses)
     platform, platform_poses = hexapod()
-    efforts("6-SPS efforts from poses, a pose", platform, platform_poses[:200_000])
+    efforts("6-SPS efforts from poses, a pose", platform, platform_poses)
