@@ -46,10 +46,10 @@ Matrix = Annotated[list[Vector], Field(min_length=3, max_length=3)]
 def is_inertia(matrix: list[list[float]]) -> bool:
     """Return whether a 3 x 3 matrix can be a body's inertia about its centre of mass."""
     tensor = np.array(matrix)
-    if not np.array_equal(tensor, tensor.T):
+    slack = 1e-9 * float(np.max(np.abs(tensor)))
+    if np.max(np.abs(tensor - tensor.T)) > slack:
         return False
     least, middle, greatest = np.linalg.eigvalsh(tensor)
-    slack = 1e-9 * abs(greatest)
     return bool(least >= -slack and greatest <= least + middle + slack)
 
 

@@ -91,11 +91,13 @@ def test_units_are_those_of_each_drive(name: str, data: st.DataObject) -> None:
 def body(data: st.DataObject) -> tuple[float, Floats, Floats, Floats]:
     """Draw mass, centre of mass, inertia tensor and gravity."""
     columns = np.array([data.draw(vectors()) for _ in range(3)])
+    spread = columns @ columns.T
     gravity = np.array(data.draw(st.one_of(st.just([0.0, 0.0, -9.80665]), vectors(10.0))))
     return (
         data.draw(numbers(0.0, 20.0)),
         np.array(data.draw(vectors())),
-        columns @ columns.T,
+        # Of a body that is spread so about its centre: every such tensor can be.
+        np.trace(spread) * np.eye(3) - spread,
         gravity,
     )
 
