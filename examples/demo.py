@@ -191,9 +191,9 @@ def main() -> int:
     OUT.mkdir(exist_ok=True)
     with server() as client:
         findings = planar_3rrr(client) + five_bar(client)
-    print(f"\n{'':55}{'published':38}computed")
+    print(f"\n{'':60}{'published':38}computed")
     for f in findings:
-        print(f"{'ok ' if f.right else 'BAD'} {f.what:51}{f.published:38}{f.computed}")
+        print(f"{'ok ' if f.right else 'BAD'} {f.what:56}{f.published:38}{f.computed}")
     print(f"\ngrids and pictures are in {OUT.resolve()}")
     return 0 if all(f.right for f in findings) else 1
 

@@ -58,7 +58,8 @@ PRESETS = (
     Preset(
         name="five_bar_printer_2017",
         title="Five-bar of a 3-D printer with limit switches",
-        source=PAPER_2017,
+        source=PAPER_2017
+        + " The stand's stops are not printed: the mirror images of the limit switches are taken.",
         mechanism=FiveBar(
             kind="five_bar",
             name="Five-bar of Erastova and Laryushkin, 2017",
