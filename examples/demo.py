@@ -48,7 +48,7 @@ def server() -> Iterator[httpx.Client]:
         own = {name: value for name, value in os.environ.items() if "PARMECH_" not in name}
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=own)
         try:
-            print("starting the server; the first start compiles kernels for about half a minute")
+            print("starting the server; the first start compiles kernels, later ones load them")
             with httpx.Client(base_url=_address(process), timeout=120.0) as client:
                 yield client
         finally:
