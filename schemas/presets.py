@@ -7,7 +7,6 @@ from schemas.custom import Custom, CustomLeg, RailLeg
 from schemas.families import (
     DeltaLinear,
     DeltaLinear4Dof,
-    DeltaRotary,
     FiveBar,
     GoughStewart,
     Planar3RRR,
@@ -83,22 +82,6 @@ PRESETS = (
             platform_radius=0.08,
             crank_length=0.18,
             rod_length=0.18,
-        ),
-    ),
-    Preset(
-        name="delta_flexpicker",
-        title="ABB FlexPicker IRB 360-1/1600, a packaging Delta",
-        source="Williams R.L. II. The Delta Parallel Robot: Kinematics Solutions. Ohio University, "
-        "2016: base triangle's side 0.567 m, platform's 0.076 m, arms 0.524 m and 1.244 m.",
-        mechanism=DeltaRotary(
-            kind="delta_rotary",
-            name="FlexPicker after Williams, 2016",
-            # The cranks turn about the middles of the base triangle's sides; the rods end in the
-            # platform triangle's corners.
-            base_radius=0.567 / (2.0 * math.sqrt(3.0)),
-            platform_radius=0.076 / math.sqrt(3.0),
-            crank_length=0.524,
-            rod_length=1.244,
         ),
     ),
     Preset(
