@@ -31,6 +31,10 @@ class Configuration:
         """How many poses there are."""
         return int(self.poses.shape[1])
 
+    def has(self, name: str) -> bool:
+        """Return whether the property of this name is already computed."""
+        return name in vars(self)
+
     def take(self, chosen: Booleans) -> "Configuration":
         """Return the chosen poses, shape (poses,), with all that is already computed of them."""
         taken = Configuration(self.mechanism, self.poses)
@@ -86,13 +90,11 @@ class Configuration:
     def actuators(self) -> Floats:
         """Drive coordinates, shape (legs, poses); crank angles in (-pi, pi]. [rad or m]"""
         values = self._array(self._legs)
-        if "travel" in vars(self):
+        if self.has("travel"):
             legs.coordinates(self.mechanism.legs, self.travel, values)
-            return values
-        motion = self.mechanism.motion
-        batches.actuators(
-            motion.twists, motion.turning, motion.axis, self.mechanism.legs, self.poses, values
-        )
+        else:
+            motion = self.mechanism.motion
+            batches.actuators(motion.kernel, self.mechanism.legs, self.poses, values)
         return values
 
     @cached_property

@@ -6,7 +6,7 @@ import numpy as np
 
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
-from mechanics.kernels.efforts import known_efforts, part_norms
+from mechanics.kernels import batches, efforts
 from mechanics.loads import Load
 
 
@@ -33,7 +33,10 @@ def signed_efforts(block: Configuration, load: Load) -> Floats:
     ----------
     Laryushkin, Glazunov, Erastova, 2016, eq. (7), (8), where the minus was lost in print.
     """
-    return _finite(known_efforts(block.effort_rows, load.known))
+    known: Floats = efforts.known_efforts(
+        *block.cofactors, block.rods[1], _in_coordinates(block, load)
+    )
+    return known
 
 
 def worst_efforts(block: Configuration, load: Load) -> Floats:
@@ -51,29 +54,50 @@ def worst_efforts(block: Configuration, load: Load) -> Floats:
     ----------
     Laryushkin, Glazunov, Erastova, 2016, "Computation of the maximal actuation efforts".
     """
-    forces, moments = part_norms(block.effort_rows)
-    known = np.abs(known_efforts(block.effort_rows, load.known))
-    return _finite(known + load.force * forces + load.moment * moments)
+    motion = block.mechanism.motion
+    translations = len(motion.translations)
+    worst: Floats
+    if block.has("cofactors"):
+        worst = efforts.worst_efforts(
+            *block.cofactors,
+            block.rods[1],
+            translations,
+            load.force,
+            load.moment,
+            _in_coordinates(block, load),
+        )
+    else:
+        worst = batches.worst_efforts(
+            motion.kernel,
+            block.mechanism.legs,
+            block.poses,
+            translations,
+            load.force,
+            load.moment,
+            motion.twists.T @ load.known,
+        )
+    return worst
 
 
 def worst_load(block: Configuration, load: Load) -> WorstLoad:
     """Return, for each drive, the force and the moment at which `worst_efforts` is reached."""
     rows = block.effort_rows
-    signs = np.where(known_efforts(rows, load.known) < 0.0, -1.0, 1.0)[:, None, :]
-    sizes = part_norms(rows)
-    parts = [
-        0.0 - signs * size * _directions(part, norm)
-        for part, norm, size in zip(
-            (rows[:, :3], rows[:, 3:]), sizes, (load.force, load.moment), strict=True
-        )
-    ]
-    return WorstLoad(*parts)
+    signs = np.where(signed_efforts(block, load) < 0.0, -1.0, 1.0)[:, None, :]
+    return WorstLoad(
+        0.0 - signs * load.force * _directions(rows[:, :3]),
+        0.0 - signs * load.moment * _directions(rows[:, 3:]),
+    )
 
 
-def _directions(vectors: Floats, norms: Floats) -> Floats:
+def _in_coordinates(block: Configuration, load: Load) -> Floats:
+    """Return the known load, shape (coordinates, poses): what it does along each coordinate."""
+    twists = block.mechanism.motion.twists
+    shares = np.broadcast_to(twists.T @ load.known, (twists.shape[1], block.count))
+    return np.ascontiguousarray(shares)
+
+
+def _directions(vectors: Floats) -> Floats:
+    norms = np.linalg.norm(vectors, axis=1)
     # A part of size 0 has no worst direction: any load of it is borne without effort.
-    return vectors / np.where(norms == 0.0, 1.0, norms)[:, None, :]
-
-
-def _finite(efforts: Floats) -> Floats:
-    return np.where(np.isfinite(efforts), efforts, np.nan)
+    directions: Floats = vectors / np.where(norms == 0.0, 1.0, norms)[:, None, :]
+    return directions

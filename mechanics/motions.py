@@ -45,6 +45,11 @@ class Motion:
         """The coordinates that turn the platform. [rad]"""
         return tuple(c for c in self.coordinates if c not in self.translations)
 
+    @property
+    def kernel(self) -> tuple[Floats, int, Floats]:
+        """What kernels take of a motion: twists, turning and axis."""
+        return self.twists, self.turning, self.axis
+
     def place(self, poses: Floats) -> tuple[Floats, Floats]:
         """Return where the platform is at each pose.
 
@@ -59,7 +64,7 @@ class Motion:
         """
         positions = np.empty((3, poses.shape[1]))
         rotations = np.empty((9, poses.shape[1]))
-        place(self.twists, self.turning, self.axis, poses, positions, rotations)
+        place(*self.kernel, poses, positions, rotations)
         return positions, rotations
 
 

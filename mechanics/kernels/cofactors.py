@@ -11,55 +11,69 @@ import math
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.kernels.compiling import inlined, kernel
+from mechanics.kernels.compiling import fused, inlined, kernel
 
 Row = tuple[float, ...]
 
 EPSILON = 2.0**-52
-LANES = 32
+LANES = 64
 """6 x 6 matrices expanded together, in scratch arrays that stay in the nearest cache."""
 
 
 @kernel
 def write_cofactors(matrices: Floats, adjugates: Floats, determinants: Floats) -> None:
     """Write the cofactors, shape as `matrices` (n, n, poses), and the determinants."""
-    size = matrices.shape[0]
-    if size == 2:
-        _two(matrices, adjugates, determinants)
-    elif size == 3:
-        _three(matrices, adjugates, determinants)
-    elif size == 4:
-        _four(matrices, adjugates, determinants)
-    else:
-        _six_by_lanes(matrices, adjugates, determinants)
-    _settle(matrices, determinants)
+    # Scratch of known size, made here: the compiler sees that nothing overlaps, and vectorises.
+    a, c = np.ones((6, 6, LANES)), np.empty((6, 6, LANES))
+    det, minors = np.empty(LANES), np.empty((20, LANES))
+    size, count = matrices.shape[0], determinants.size
+    for first in range(0, count, LANES):
+        lanes = min(LANES, count - first)
+        for p in range(size):
+            for j in range(size):
+                for i in range(lanes):
+                    a[p, j, i] = matrices[p, j, first + i]
+        expand(size, a, c, det, minors)
+        for p in range(size):
+            for j in range(size):
+                for i in range(lanes):
+                    adjugates[p, j, first + i] = c[p, j, i]
+        for i in range(lanes):
+            determinants[first + i] = det[i]
 
 
-@kernel
-def _settle(matrices: Floats, determinants: Floats) -> None:
-    """Set determinants to 0 that are no larger than their own rounding error.
+@inlined
+def expand(size: int, a: Floats, c: Floats, det: Floats, minors: Floats) -> None:
+    """Write cofactors and determinants of size x size matrices, one a lane.
 
-    That error is some units of the last place of the product of the rows' sizes (Hadamard).
+    Determinants no larger than their own rounding error are set to 0: that error is some units
+    of the last place of the product of the rows' sizes (Hadamard). `minors`, shape (20, lanes),
+    is scratch.
     """
-    size, _, count = matrices.shape
-    bounds = np.full(count, 4.0 * size * EPSILON)
-    squares = np.empty(count)
+    if size == 2:
+        _two(a, c, det)
+    elif size == 3:
+        _three(a, c, det)
+    elif size == 4:
+        _four(a, c, det)
+    else:
+        _six(a, c, det, minors)
+    for i in range(LANES):
+        minors[0, i] = 1.0
     for p in range(size):
-        squares[:] = 0.0
-        for j in range(size):
-            entries = matrices[p, j]
-            for i in range(count):
-                squares[i] += entries[i] * entries[i]
-        for i in range(count):
-            bounds[i] *= math.sqrt(squares[i])
-    for i in range(count):
-        if abs(determinants[i]) <= bounds[i]:
-            determinants[i] = 0.0
+        for i in range(LANES):
+            square = 0.0
+            for j in range(size):
+                square += a[p, j, i] * a[p, j, i]
+            minors[0, i] *= square
+    for i in range(LANES):
+        bound = 4.0 * size * EPSILON * math.sqrt(minors[0, i])
+        det[i] = 0.0 if abs(det[i]) <= bound else det[i]
 
 
-@kernel
+@inlined
 def _two(a: Floats, c: Floats, det: Floats) -> None:
-    for i in range(det.size):
+    for i in range(LANES):
         c[0, 0, i] = a[1, 1, i]
         c[0, 1, i] = -a[1, 0, i]
         c[1, 0, i] = -a[0, 1, i]
@@ -67,34 +81,35 @@ def _two(a: Floats, c: Floats, det: Floats) -> None:
         det[i] = a[0, 0, i] * a[1, 1, i] - a[0, 1, i] * a[1, 0, i]
 
 
-@kernel
+@inlined
 def _three(a: Floats, c: Floats, det: Floats) -> None:
     for p in range(3):
-        one, two = a[(p + 1) % 3], a[(p + 2) % 3]
+        one, two = (p + 1) % 3, (p + 2) % 3
         for j in range(3):
             k, m = (j + 1) % 3, (j + 2) % 3
-            for i in range(det.size):
-                c[p, j, i] = one[k, i] * two[m, i] - one[m, i] * two[k, i]
-    for i in range(det.size):
+            for i in range(LANES):
+                c[p, j, i] = a[one, k, i] * a[two, m, i] - a[one, m, i] * a[two, k, i]
+    for i in range(LANES):
         det[i] = a[0, 0, i] * c[0, 0, i] + a[0, 1, i] * c[0, 1, i] + a[0, 2, i] * c[0, 2, i]
 
 
-@kernel
+@inlined
 def _four(a: Floats, c: Floats, det: Floats) -> None:
     """Expand the row that a cofactor leaves in its own half by minors of the other half."""
-    for i in range(det.size):
-        for p in range(4):
-            partner = p ^ 1
-            one, two = (2, 3) if p < 2 else (0, 1)
-            for j in range(4):
-                k, m, n = _others(j)
-                total = (
+    for p in range(4):
+        partner = p ^ 1
+        one, two = (2, 3) if p < 2 else (0, 1)
+        for j in range(4):
+            k, m, n = _others(j)
+            # Moving the partner in front of the two others changes no sign.
+            sign = 1.0 if (p + j) % 2 == 0 else -1.0
+            for i in range(LANES):
+                c[p, j, i] = sign * (
                     a[partner, k, i] * (a[one, m, i] * a[two, n, i] - a[one, n, i] * a[two, m, i])
                     - a[partner, m, i] * (a[one, k, i] * a[two, n, i] - a[one, n, i] * a[two, k, i])
                     + a[partner, n, i] * (a[one, k, i] * a[two, m, i] - a[one, m, i] * a[two, k, i])
                 )
-                # Moving the partner in front of the two others changes no sign.
-                c[p, j, i] = total if (p + j) % 2 == 0 else -total
+    for i in range(LANES):
         det[i] = (
             a[0, 0, i] * c[0, 0, i]
             + a[0, 1, i] * c[0, 1, i]
@@ -109,46 +124,77 @@ def _others(j: int) -> tuple[int, int, int]:
     return (1 if j == 0 else 0), (1 if j > 1 else 2), (2 if j == 3 else 3)
 
 
-@kernel
-def _six_by_lanes(matrices: Floats, adjugates: Floats, determinants: Floats) -> None:
-    # Scratch of known size, made here: the compiler sees that nothing overlaps, and vectorises.
-    a, c, det = np.ones((6, 6, LANES)), np.empty((6, 6, LANES)), np.empty(LANES)
-    count = determinants.size
-    for first in range(0, count, LANES):
-        lanes = min(LANES, count - first)
-        for p in range(6):
-            for j in range(6):
-                for i in range(lanes):
-                    a[p, j, i] = matrices[p, j, first + i]
-        _expand(a, c, det)
-        for p in range(6):
-            for j in range(6):
-                for i in range(lanes):
-                    adjugates[p, j, first + i] = c[p, j, i]
-        for i in range(lanes):
-            determinants[first + i] = det[i]
-
-
 @inlined
-def _expand(a: Floats, c: Floats, det: Floats) -> None:
-    """Write cofactors and determinants of 6 x 6 matrices, one a lane."""
+def _six(a: Floats, c: Floats, det: Floats, minors: Floats) -> None:
+    """Expand each half of the rows by the 20 minors of the other half, shape (20, lanes)."""
+    for half in range(2):
+        own, other = 3 * half, 3 - 3 * half
+        # Short loops, each of which keeps what it needs in registers.
+        for i in range(LANES):
+            pairs = _pairs(_row(a, other + 1, i), _row(a, other + 2, i))
+            _store_minors(minors, i, _triples(_row(a, other, i), pairs))
+        for p in range(3):
+            # The lower half comes with the other sign: its two rows swapped.
+            one, two = own + (p + 1 + half) % 3, own + (p + 2 - half) % 3
+            for i in range(LANES):
+                pairs = _pairs(_row(a, one, i), _row(a, two, i))
+                _store(c, own + p, i, _row_of_cofactors(pairs, _minors(minors, i)))
     for i in range(LANES):
-        x0, x1, x2 = _row(a, 0, i), _row(a, 1, i), _row(a, 2, i)
-        y0, y1, y2 = _row(a, 3, i), _row(a, 4, i), _row(a, 5, i)
-        upper, lower = _pairs(x1, x2), _pairs(y1, y2)
-        above, below = _triples(x0, upper), _triples(y0, lower)
-        first = _row_of_cofactors(upper, below)
-        _store(c, 0, i, first, 1.0)
-        _store(c, 1, i, _row_of_cofactors(_pairs(x2, x0), below), 1.0)
-        _store(c, 2, i, _row_of_cofactors(_pairs(x0, x1), below), 1.0)
-        _store(c, 3, i, _row_of_cofactors(lower, above), -1.0)
-        _store(c, 4, i, _row_of_cofactors(_pairs(y2, y0), above), -1.0)
-        _store(c, 5, i, _row_of_cofactors(_pairs(y0, y1), above), -1.0)
         det[i] = (
-            (x0[0] * first[0] + x0[1] * first[1])
-            + (x0[2] * first[2] + x0[3] * first[3])
-            + (x0[4] * first[4] + x0[5] * first[5])
+            (a[0, 0, i] * c[0, 0, i] + a[0, 1, i] * c[0, 1, i])
+            + (a[0, 2, i] * c[0, 2, i] + a[0, 3, i] * c[0, 3, i])
+            + (a[0, 4, i] * c[0, 4, i] + a[0, 5, i] * c[0, 5, i])
         )
+
+
+@kernel
+def _minors(minors: Floats, i: int) -> Row:
+    return (
+        minors[0, i],
+        minors[1, i],
+        minors[2, i],
+        minors[3, i],
+        minors[4, i],
+        minors[5, i],
+        minors[6, i],
+        minors[7, i],
+        minors[8, i],
+        minors[9, i],
+        minors[10, i],
+        minors[11, i],
+        minors[12, i],
+        minors[13, i],
+        minors[14, i],
+        minors[15, i],
+        minors[16, i],
+        minors[17, i],
+        minors[18, i],
+        minors[19, i],
+    )
+
+
+@kernel
+def _store_minors(minors: Floats, i: int, t: Row) -> None:
+    minors[0, i] = t[0]
+    minors[1, i] = t[1]
+    minors[2, i] = t[2]
+    minors[3, i] = t[3]
+    minors[4, i] = t[4]
+    minors[5, i] = t[5]
+    minors[6, i] = t[6]
+    minors[7, i] = t[7]
+    minors[8, i] = t[8]
+    minors[9, i] = t[9]
+    minors[10, i] = t[10]
+    minors[11, i] = t[11]
+    minors[12, i] = t[12]
+    minors[13, i] = t[13]
+    minors[14, i] = t[14]
+    minors[15, i] = t[15]
+    minors[16, i] = t[16]
+    minors[17, i] = t[17]
+    minors[18, i] = t[18]
+    minors[19, i] = t[19]
 
 
 @kernel
@@ -157,16 +203,16 @@ def _row(a: Floats, p: int, i: int) -> Row:
 
 
 @kernel
-def _store(c: Floats, p: int, i: int, row: Row, sign: float) -> None:
-    c[p, 0, i] = sign * row[0]
-    c[p, 1, i] = sign * row[1]
-    c[p, 2, i] = sign * row[2]
-    c[p, 3, i] = sign * row[3]
-    c[p, 4, i] = sign * row[4]
-    c[p, 5, i] = sign * row[5]
+def _store(c: Floats, p: int, i: int, row: Row) -> None:
+    c[p, 0, i] = row[0]
+    c[p, 1, i] = row[1]
+    c[p, 2, i] = row[2]
+    c[p, 3, i] = row[3]
+    c[p, 4, i] = row[4]
+    c[p, 5, i] = row[5]
 
 
-@kernel
+@fused
 def _pairs(x: Row, y: Row) -> Row:
     """Return the 15 minors of two rows, columns (0, 1), (0, 2), ... (4, 5)."""
     return (
@@ -188,7 +234,7 @@ def _pairs(x: Row, y: Row) -> Row:
     )
 
 
-@kernel
+@fused
 def _triples(x: Row, p: Row) -> Row:
     """Return the 20 minors of three rows, the last two given by their 15 minors `p`."""
     return (
@@ -215,7 +261,7 @@ def _triples(x: Row, p: Row) -> Row:
     )
 
 
-@kernel
+@fused
 def _row_of_cofactors(p: Row, t: Row) -> Row:
     """Return the six cofactors of a row, up to the sign of its half.
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+from llvmlite import binding
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -33,8 +34,19 @@ def cache_folder() -> Path:
     return (Path(chosen) if chosen else home / "parmech") / f"kernels-{source_digest()}"
 
 
-# Numba reads this when a function is decorated, so it is set before the first kernel.
+def cpu_features() -> str:
+    """Return the processor's features, told to LLVM with its whole vector registers in use.
+
+    LLVM halves the registers on processors with AVX-512, lest a little vector code slow the clock
+    for all the rest; kernels are nothing but vector code, and half again as fast without that.
+    """
+    return f"{binding.get_host_cpu_features().flatten()},-prefer-256-bit"
+
+
+# Numba reads these when it compiles the first function, so they are set before that.
 setattr(numba.config, "CACHE_DIR", str(cache_folder()))  # noqa: B010  (it has no stub)
+if getattr(numba.config, "CPU_FEATURES") is None:  # noqa: B009
+    setattr(numba.config, "CPU_FEATURES", cpu_features())  # noqa: B010
 
 
 def kernel(function: F) -> F:
@@ -47,4 +59,16 @@ def kernel(function: F) -> F:
 def inlined(function: F) -> F:
     """Compile `function` into its callers, where the compiler sees that arrays do not overlap."""
     compiled: F = numba.njit(function, nogil=True, error_model="numpy", inline="always")
+    return compiled
+
+
+def fused(function: F) -> F:
+    """Compile `function` like a kernel that may round a product and a sum at once.
+
+    Only where nothing is the same for all poses: a product taken out of a loop is rounded alone,
+    and a pose's numbers would then depend on its company.
+    """
+    compiled: F = numba.njit(
+        function, nogil=True, cache=True, error_model="numpy", fastmath={"contract"}
+    )
     return compiled

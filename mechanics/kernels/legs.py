@@ -8,8 +8,11 @@ arrays that stay in cache.
 import math
 
 from mechanics.arrays import Floats
+from mechanics.kernels.arithmetic import multiply_add
 from mechanics.kernels.compiling import kernel
 from mechanics.legs import CRANK, RAIL, Legs
+
+Vector = tuple[float, float, float]
 
 ROUNDING = 4.0 * 2.0**-52
 """A sum of squares is taken as 0 below this share of its terms."""
@@ -18,20 +21,29 @@ ROUNDING = 4.0 * 2.0**-52
 @kernel
 def turned(a: float, b: float, c: float, vector: Floats) -> float:
     """Return one coordinate of a turned vector: a row (a, b, c) of the rotation times it."""
-    total: float = a * vector[0] + b * vector[1] + c * vector[2]
+    total: float = multiply_add(a, vector[0], multiply_add(b, vector[1], c * vector[2]))
     return total
 
 
 @kernel
-def span(
-    legs: Legs, k: int, positions: Floats, rotations: Floats, i: int
-) -> tuple[float, float, float]:
-    """Return d = p + R c0 - A of one leg at pose i. [m]"""
-    c0, A = legs.platform_point[k], legs.base_point[k]
+def arm(legs: Legs, k: int, rotations: Floats, i: int) -> Vector:
+    """Return rho = R c0 of one leg at pose i. [m]"""
+    c0 = legs.platform_point[k]
     return (
-        positions[0, i] + turned(rotations[0, i], rotations[1, i], rotations[2, i], c0) - A[0],
-        positions[1, i] + turned(rotations[3, i], rotations[4, i], rotations[5, i], c0) - A[1],
-        positions[2, i] + turned(rotations[6, i], rotations[7, i], rotations[8, i], c0) - A[2],
+        turned(rotations[0, i], rotations[1, i], rotations[2, i], c0),
+        turned(rotations[3, i], rotations[4, i], rotations[5, i], c0),
+        turned(rotations[6, i], rotations[7, i], rotations[8, i], c0),
+    )
+
+
+@kernel
+def span(legs: Legs, k: int, positions: Floats, rho: Vector, i: int) -> Vector:
+    """Return d = p + rho - A of one leg at pose i. [m]"""
+    A = legs.base_point[k]
+    return (
+        positions[0, i] + rho[0] - A[0],
+        positions[1, i] + rho[1] - A[1],
+        positions[2, i] + rho[2] - A[2],
     )
 
 
@@ -197,6 +209,39 @@ def coordinates(legs: Legs, travel: Floats, values: Floats) -> None:
 
 
 @kernel
+def crank_rod(
+    legs: Legs, k: int, d: Vector, cosine: float, sine: float
+) -> tuple[float, float, float, float]:
+    """Return u = (d - B) / L and Jpsi = u B' of a crank. [-, m]"""
+    e, f = legs.zero_direction[k], legs.quarter_direction[k]
+    c, s = legs.crank_length[k] * cosine, legs.crank_length[k] * sine
+    share = 1.0 / legs.rod_scale[k]
+    u = (d[0] - (e[0] * c + f[0] * s)) * share
+    v = (d[1] - (e[1] * c + f[1] * s)) * share
+    w = (d[2] - (e[2] * c + f[2] * s)) * share
+    rate = u * (f[0] * c - e[0] * s) + v * (f[1] * c - e[1] * s) + w * (f[2] * c - e[2] * s)
+    return u, v, w, rate
+
+
+@kernel
+def rail_rod(legs: Legs, k: int, d: Vector, q: float) -> tuple[float, float, float, float]:
+    """Return u = (d - q s) / L and Jpsi = u s of a rail. [-, -]"""
+    s = legs.axis[k]
+    share = 1.0 / legs.rod_scale[k]
+    u = (d[0] - q * s[0]) * share
+    v = (d[1] - q * s[1]) * share
+    w = (d[2] - q * s[2]) * share
+    return u, v, w, u * s[0] + v * s[1] + w * s[2]
+
+
+@kernel
+def strut_rod(d: Vector, length: float) -> tuple[float, float, float, float]:
+    """Return u = d / |d| and Jpsi = 1 of a strut; NaN where it has no length. [-, -]"""
+    share = 1.0 / length if length > 0.0 else math.nan
+    return d[0] * share, d[1] * share, d[2] * share, 1.0
+
+
+@kernel
 def rods(
     legs: Legs, spans: Floats, travel: Floats, directions: Floats, drive_rates: Floats
 ) -> None:
@@ -209,35 +254,14 @@ def rods(
         first, second = travel[k, 0], travel[k, 1]
         u, v, w = directions[k, 0], directions[k, 1], directions[k, 2]
         rate = drive_rates[k]
-        L = legs.rod_scale[k]
         if legs.drive[k] == CRANK:
-            r = legs.crank_length[k]
-            e0, e1, e2 = _three(legs.zero_direction[k])
-            f0, f1, f2 = _three(legs.quarter_direction[k])
             for i in range(x.size):
-                c, s = r * first[i], r * second[i]
-                u[i] = (x[i] - (e0 * c + f0 * s)) / L
-                v[i] = (y[i] - (e1 * c + f1 * s)) / L
-                w[i] = (z[i] - (e2 * c + f2 * s)) / L
-                rate[i] = (
-                    u[i] * (f0 * c - e0 * s) + v[i] * (f1 * c - e1 * s) + w[i] * (f2 * c - e2 * s)
-                )
+                d = x[i], y[i], z[i]
+                u[i], v[i], w[i], rate[i] = crank_rod(legs, k, d, first[i], second[i])
         elif legs.drive[k] == RAIL:
-            s0, s1, s2 = _three(legs.axis[k])
             for i in range(x.size):
-                u[i] = (x[i] - first[i] * s0) / L
-                v[i] = (y[i] - first[i] * s1) / L
-                w[i] = (z[i] - first[i] * s2) / L
-                rate[i] = u[i] * s0 + v[i] * s1 + w[i] * s2
+                d = x[i], y[i], z[i]
+                u[i], v[i], w[i], rate[i] = rail_rod(legs, k, d, first[i])
         else:
             for i in range(x.size):
-                length = first[i] if first[i] > 0.0 else math.nan
-                u[i] = x[i] / length
-                v[i] = y[i] / length
-                w[i] = z[i] / length
-                rate[i] = 1.0
-
-
-@kernel
-def _three(vector: Floats) -> tuple[float, float, float]:
-    return vector[0], vector[1], vector[2]
+                u[i], v[i], w[i], rate[i] = strut_rod((x[i], y[i], z[i]), first[i])

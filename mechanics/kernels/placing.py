@@ -6,7 +6,7 @@ All arrays carry the poses on their last axis, so that inner loops run over adja
 import numpy as np
 
 from mechanics.arrays import Floats, Integers
-from mechanics.kernels.compiling import kernel
+from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.turns import about_axis, about_fixed_axes
 
 TURNING_NONE = 0
@@ -14,27 +14,47 @@ TURNING_ABOUT_AXIS = 1
 TURNING_ABOUT_FIXED_AXES = 2
 
 
-@kernel
-def place(
-    twists: Floats, turning: int, axis: Floats, poses: Floats, positions: Floats, rotations: Floats
+@inlined
+def place_into(
+    twists: Floats,
+    turning: int,
+    axis: Floats,
+    poses: Floats,
+    turns: Floats,
+    positions: Floats,
+    rotations: Floats,
 ) -> None:
-    """Write positions, shape (3, poses), and rotations, shape (9, poses) row by row."""
-    coordinates, count = poses.shape
-    positions[:] = 0.0
-    for k in range(coordinates):
-        for j in range(3):
+    """Write positions, shape (3, poses), and rotations, shape (9, poses) row by row.
+
+    `turns`, shape (6, poses), is overwritten with sines and cosines.
+    """
+    coordinates = twists.shape[1]
+    count = positions.shape[1]
+    for j in range(3):
+        for i in range(count):
+            positions[j, i] = 0.0
+        for k in range(coordinates):
             share = twists[j, k]
             if share != 0.0:
                 for i in range(count):
                     positions[j, i] += share * poses[k, i]
     if turning == TURNING_ABOUT_AXIS:
-        about_axis(poses[coordinates - 1], axis, rotations)
+        about_axis(poses, coordinates - 1, axis, turns, rotations)
     elif turning == TURNING_ABOUT_FIXED_AXES:
-        about_fixed_axes(poses[coordinates - 3 :], rotations)
+        about_fixed_axes(poses, coordinates - 3, turns, rotations)
     else:
-        rotations[:] = 0.0
-        for k in range(0, 9, 4):
-            rotations[k] = 1.0
+        for k in range(9):
+            for i in range(count):
+                rotations[k, i] = 1.0 if k % 4 == 0 else 0.0
+
+
+@kernel
+def place(
+    twists: Floats, turning: int, axis: Floats, poses: Floats, positions: Floats, rotations: Floats
+) -> None:
+    """Write positions, shape (3, poses), and rotations, shape (9, poses) row by row."""
+    turns = np.empty((6, poses.shape[1]))
+    place_into(twists, turning, axis, poses, turns, positions, rotations)
 
 
 @kernel

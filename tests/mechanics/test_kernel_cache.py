@@ -34,8 +34,8 @@ assert mechanics.__file__.startswith(sys.argv[1]), mechanics.__file__
 print(sine(0.3))
 """
 SINE = 0.29552020666133955
-INNER = "    s = r + r * z * p"
-EDITED = "    s = 2.0 * (r + r * z * p)"
+INNER = "    s = multiply_add(r * z, p, r)"
+EDITED = "    s = 2.0 * multiply_add(r * z, p, r)"
 
 
 class Copy:
