@@ -55,8 +55,13 @@ contracts: $(STAMP) ## Who may import whom
 tests: $(STAMP) ## pytest (ARGS="tests/mechanics -k effort" for some)
 	$(BIN)/pytest $(ARGS)
 
-bench: $(STAMP) ## Measure the kernels against floors and rivals
+bench: $(VENV)/.bench ## Measure the kernels against floors and rivals
 	$(BIN)/python -m benchmarks
+
+$(VENV)/.bench: $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check \
+	  --constraint constraints.txt --editable '.[bench]'
+	@touch $@
 
 openapi: $(STAMP) ## Write openapi.json as the application describes itself
 	$(BIN)/python -m service.openapi openapi.json

@@ -1,10 +1,14 @@
 """What we are measured against: the same questions in NumPy, and bare loops as floors."""
 
 import math
+from collections.abc import Callable
 
 import numba
 import numpy as np
+from basic_robotics.general import tm
+from basic_robotics.kinematics.sp_model import SP
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 Floats = NDArray[np.float64]
 
@@ -55,8 +59,30 @@ def strut_lengths(poses: Floats, base: Floats, platform: Floats, block: int = 40
 
 
 @numba.njit(error_model="numpy")
-def six_roots(poses: Floats, roots: Floats) -> None:
-    """Write six bare square roots per pose, shape (6, poses): the floor of any inverse."""
-    for k in range(6):
-        for i in range(poses.shape[1]):
-            roots[k, i] = math.sqrt(poses[k, i] * poses[k, i] + 1.0)
+def roots(numbers: Floats, written: Floats) -> None:
+    """Write bare square roots, shape as given: the floor of any inverse in that layout."""
+    for k in range(numbers.shape[0]):
+        for i in range(numbers.shape[1]):
+            written[k, i] = math.sqrt(numbers[k, i] * numbers[k, i] + 1.0)
+
+
+def transformations(rows: Floats) -> list[tm]:
+    """Return poses, shape (poses, 6), as basic-robotics takes them."""
+    matrices = np.tile(np.eye(4), (len(rows), 1, 1))
+    matrices[:, :3, :3] = Rotation.from_euler("xyz", rows[:, 3:]).as_matrix()
+    matrices[:, :3, 3] = rows[:, :3]
+    return [tm(matrix) for matrix in matrices]
+
+
+def basic_robotics_inverse(base: Floats, platform: Floats) -> Callable[[tm], Floats]:
+    """Return the strut lengths' function, shape (6,), of basic-robotics' Stewart platform."""
+    start = tm([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    model = SP(base.T.copy(), platform.T.copy(), tm(), start, 0.1, 10.0, 0.0, 0.0, "hexapod")
+    # Protected: without the checks of the pose that it makes otherwise.
+    return lambda pose: np.ravel(model.IK(pose, protect=True)[0])
+
+
+def for_each(function: Callable[[tm], Floats], poses: list[tm]) -> None:
+    """Call the function for pose after pose."""
+    for pose in poses:
+        function(pose)
