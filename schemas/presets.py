@@ -3,15 +3,17 @@
 import math
 from collections.abc import Sequence
 
-from schemas.custom import Custom, CustomLeg, RailLeg
+from schemas.custom import Custom, CustomLeg, RailLeg, StrutLeg
 from schemas.families import (
     DeltaLinear,
     DeltaLinear4Dof,
+    DeltaRotary,
     FiveBar,
     GoughStewart,
     Planar3RRR,
     Spherical3RRR,
 )
+from schemas.hexapods import HEXAPODS
 from schemas.kinds import Preset
 from schemas.legged import ActuatorLimit
 
@@ -51,6 +53,30 @@ def _orthoglide() -> Custom:
         for axis in axes
     ]
     return Custom(kind="custom", name="Orthoglide, rods of 1 m", motion="translation", legs=legs)
+
+
+def _hannover_3rpr() -> Custom:
+    """Return three struts between equilateral triangles; the pose is that of the platform's apex.
+
+    Its base joints can be shifted before work; here they stand unshifted.
+    """
+    apex, low = 0.2 * math.sqrt(27.0), -0.125 * math.sqrt(3.0)
+    corners = (
+        ([0.6, apex, 0.0], [0.0, 0.0, 0.0]),
+        ([0.0, 0.0, 0.0], [-0.125, low, 0.0]),
+        ([1.2, 0.0, 0.0], [0.125, low, 0.0]),
+    )
+    legs: list[CustomLeg] = [
+        StrutLeg(drive="strut", base_point=base, platform_point=platform)
+        for base, platform in corners
+    ]
+    return Custom(
+        kind="custom",
+        name="Planar 3-RPR of Hannover, base joints unshifted",
+        motion="planar",
+        legs=legs,
+        actuator_limits=ActuatorLimit(min=0.1, max=1.2),
+    )
 
 
 PRESETS = (
@@ -98,6 +124,23 @@ PRESETS = (
             rod_length=0.2135,
             carriage_arm=0.0195,
             tool_offset=0.04,
+        ),
+    ),
+    Preset(
+        name="flexpicker",
+        title="ABB FlexPicker IRB 360-1/1600, a pick-and-place Delta",
+        source="Williams R.L. II. The Delta Parallel Robot: Kinematics Solutions. Ohio University, "
+        "2016. Its example's base triangle of side 567 mm, platform triangle of side 76 mm, upper "
+        "links 524 mm and lower links 1244 mm as given in the repository "
+        "Pieces98/Deltarobot_Kinematics.",
+        mechanism=DeltaRotary(
+            kind="delta_rotary",
+            name="ABB FlexPicker IRB 360-1/1600",
+            # Cranks at the middles of the base triangle's sides, rods at the platform's corners.
+            base_radius=0.567 / (2.0 * math.sqrt(3.0)),
+            platform_radius=0.076 / math.sqrt(3.0),
+            crank_length=0.524,
+            rod_length=1.244,
         ),
     ),
     Preset(
@@ -168,4 +211,14 @@ PRESETS = (
         "1 m.",
         mechanism=_orthoglide(),
     ),
+    Preset(
+        name="planar_3rpr_hannover",
+        title="Planar 3-RPR of a study of kinematic redundancy",
+        source="Influence of kinematic redundancy on the singularity-free workspace of parallel "
+        "kinematic machines. 2012, doi:10.1007/s11465-012-0321-8. Dimensions after the Institute "
+        "of Mechatronic Systems in Hannover as given in the repository rshuka/PASS, "
+        "parallel_kinematic_machine_3PRPR.",
+        mechanism=_hannover_3rpr(),
+    ),
+    *HEXAPODS,
 )
