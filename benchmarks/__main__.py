@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -10,8 +11,10 @@ from analyses.analysis import POSES_PER_BLOCK
 from benchmarks import rivals
 from mechanics import effort
 from mechanics.arrays import Floats
+from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
+from mechanics.families.delta import delta_linear
 from mechanics.families.hexapods import gough_stewart
 from mechanics.families.planar_3rrr import planar_3rrr
 from mechanics.grid import Axis, Grid
@@ -20,7 +23,7 @@ from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.workspace import scan
 
-REPEATS = 15
+REPEATS = 9
 POSES = 1_000_000
 
 
@@ -98,11 +101,70 @@ def scan_of_reach() -> None:
     base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
     x, y = (axis.nodes for axis in axes)
     compare(
-        "3-RRR reach by general legs, a node",
+        "3-RRR reach by lines, a node",
         lambda: scan(mechanism, [Reach(mechanism)], grid, {}, 0, grid.size),
         grid.size,
         "NumPy, annuli",
         lambda: rivals.reach_grid(base, platform, 0.0, 0.36, x, y),
+    )
+
+
+def rails() -> None:
+    """Compare whole lines of three limited rail legs with NumPy, and with half the step."""
+    mechanism = delta_linear(
+        rail_radius=0.328,
+        platform_radius=0.1,
+        carriage_arm=0.0,
+        rod_length=0.37,
+        tool_offset=0.0,
+        limits=np.tile([-0.1, 0.35], (3, 1)),
+        working_mode=np.ones(3),
+    )
+    offsets = mechanism.legs.base_point - mechanism.legs.platform_point
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+
+    def grid(count: int) -> Grid:
+        step = 2.1 / (count - 1)
+        return Grid(tuple(Axis(c, -1.1, 1.0, step) for c in "xyz"), (0, 1, 2), np.zeros(3))
+
+    coarse, fine = grid(211), grid(421)
+    nodes = [axis.nodes for axis in coarse.axes]
+    expected = rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes)
+    found = scan(mechanism, conditions, coarse, {}, 0, coarse.size)
+    inside = np.repeat(found.codes == 0, found.lengths)
+    assert np.count_nonzero(inside != expected.ravel()) <= 3, "rails: more than rounding differs"
+
+    def ours(of: Grid) -> Callable[[], object]:
+        return lambda: scan(mechanism, conditions, of, {}, 0, of.size)
+
+    name = "three rails, limits, by lines, a node"
+    compare(
+        name,
+        ours(coarse),
+        coarse.size,
+        "NumPy, slabs of 211 x 211",
+        lambda: rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes),
+    )
+    compare("the same, the whole grid", ours(coarse), 1, "the same at half the step", ours(fine))
+
+
+def struts() -> None:
+    """Compare whole lines of six limited struts with NumPy."""
+    free_platform, _ = hexapod()
+    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
+    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    step = 2.0 / 199
+    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
+    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    centres = mechanism.legs.base_point - mechanism.legs.platform_point
+    nodes = [axis.nodes for axis in axes]
+    compare(
+        "6-SPS, limits, by lines, a node",
+        lambda: scan(mechanism, conditions, grid, {}, 0, grid.size),
+        grid.size,
+        "NumPy, slabs of 200 x 200",
+        lambda: rivals.struts_grid(centres, 0.9, 1.5, *nodes),
     )
 
 
@@ -151,6 +213,8 @@ def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:
 
 if __name__ == "__main__":
     scan_of_reach()
+    rails()
+    struts()
     inverse_of_struts()
     random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))
     efforts("3-RRR efforts from poses, a pose", planar(), random_poses)

@@ -24,6 +24,38 @@ def reach_grid(
     return inside
 
 
+def rails_grid(
+    offsets: Floats, rod: float, low: float, high: float, x: Floats, y: Floats, z: Floats
+) -> NDArray[np.bool_]:
+    """Return which nodes upright rails between their stops hold, slab by slab along x."""
+    inside = np.empty((x.size, y.size, z.size), dtype=bool)
+    for i, value in enumerate(x):
+        within = np.ones((y.size, z.size), dtype=bool)
+        for centre in offsets:
+            squares = rod * rod - (value - centre[0]) ** 2 - (y - centre[1]) ** 2
+            with np.errstate(invalid="ignore"):
+                drive = z[None, :] + np.sqrt(squares)[:, None]
+            within &= (drive >= low) & (drive <= high)
+        inside[i] = within
+    return inside
+
+
+def struts_grid(
+    centres: Floats, low: float, high: float, x: Floats, y: Floats, z: Floats
+) -> NDArray[np.bool_]:
+    """Return which nodes all struts hold at constant orientation, slab by slab along x."""
+    inside = np.empty((x.size, y.size, z.size), dtype=bool)
+    heights = (z[None, :] - centres[:, 2:3]) ** 2
+    for i, value in enumerate(x):
+        within = np.ones((y.size, z.size), dtype=bool)
+        for centre, height in zip(centres, heights, strict=True):
+            flat = (value - centre[0]) ** 2 + (y - centre[1]) ** 2
+            length = np.sqrt(flat[:, None] + height)
+            within &= (length >= low) & (length <= high)
+        inside[i] = within
+    return inside
+
+
 def worst_efforts(jacobians: Floats, force: float, moment: float, split: int) -> Floats:
     """Return greatest efforts, shape (poses, drives), by batched inversion of ready Jacobians.
 

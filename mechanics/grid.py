@@ -2,10 +2,11 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Floats, Integers
 from mechanics.kernels.placing import grid_poses
 
 TOLERANCE = 1e-9
@@ -67,15 +68,22 @@ class Grid:
         """The measure of one node's cell, the product of the steps."""
         return math.prod(axis.step for axis in self.axes)
 
-    def poses(self, start: int, stop: int) -> Floats:
-        """Return the poses, shape (coordinates, stop - start), of a range of flat nodes."""
-        poses: Floats = grid_poses(
-            start,
-            stop,
+    @cached_property
+    def kernel(self) -> tuple[Floats, Floats, Integers, Integers, Floats]:
+        """What kernels take of a grid: minima, steps, shape, columns and fixed coordinates."""
+        return (
             np.array([axis.minimum for axis in self.axes]),
             np.array([axis.step for axis in self.axes]),
             np.array(self.shape, dtype=np.int64),
             np.array(self.columns, dtype=np.int64),
             self.fixed,
         )
+
+    def poses(self, start: int, stop: int) -> Floats:
+        """Return the poses, shape (coordinates, stop - start), of a range of flat nodes."""
+        return self.poses_at(np.arange(start, stop))
+
+    def poses_at(self, nodes: Integers) -> Floats:
+        """Return the poses, shape (coordinates, nodes), of flat nodes."""
+        poses: Floats = grid_poses(nodes, *self.kernel)
         return poses

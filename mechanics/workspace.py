@@ -11,10 +11,17 @@ from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
 from mechanics.kernels import runs as kernels
+from mechanics.kernels.lines import walk
 from mechanics.mechanism import Mechanism
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
+
+LINES = 2048
+"""Lines walked together: enough to hide the cost of a call, few enough to stay in cache."""
+
+FINEST = 1e-5
+"""Lines with a step below this share of the greatest length are left to single nodes."""
 
 INSIDE = 0
 """The code of a node at which every condition holds."""
@@ -57,32 +64,93 @@ def scan(
     fields: Mapping[str, Field],
     start: int,
     stop: int,
+    *,
+    by_lines: bool = True,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` of the grid belong to the workspace.
 
     A node belongs when every condition holds; its code is 0 then, else that of the first
-    condition, and of that condition's first part, that fails (see `reason_codes`).
+    condition, and of that condition's first part, that fails (see `reason_codes`). The leading
+    conditions that have closed forms along a line are decided line by line, unless `by_lines` is
+    false: then node by node like the others, with the same result.
 
     References
     ----------
     Erastova, Laryushkin, 2017, doi:10.18698/0536-1044-2017-8-78-87, fig. 6 (the iterative way).
     """
-    codes = np.zeros(stop - start, np.uint8)
+    walked = provable(mechanism, conditions, grid) if by_lines else 0
+    codes, lengths = _walk(mechanism, conditions[:walked], grid, start, stop)
+    rest, first = conditions[walked:], 1 + sum(len(c.legs) for c in conditions[:walked])
+    if not rest and not fields:
+        return Scan(codes, lengths, {})
+    nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
+    verdicts = np.zeros(nodes.size, np.uint8)
     kept: dict[str, list[Floats]] = {name: [] for name in fields}
-    for first in range(start, stop, BLOCK):
-        last = min(first + BLOCK, stop)
-        block = Configuration(mechanism, grid.poses(first, last))
-        block = _sift(block, conditions, codes[first - start : last - start])
+    # Fields of no node at all still have a shape.
+    for at in range(0, max(1, nodes.size), BLOCK):
+        block = Configuration(mechanism, grid.poses_at(nodes[at : at + BLOCK]))
+        block = _sift(block, rest, first, verdicts[at : at + BLOCK])
         for name, field in fields.items():
             kept[name].append(field(block).T)
-    values, lengths = kernels.encode(codes, start, grid.shape[-1])
-    return Scan(values, lengths, {name: np.concatenate(parts) for name, parts in kept.items()})
+    codes, lengths = kernels.refine(codes, lengths, verdicts, grid.shape[-1], start)
+    return Scan(codes, lengths, {name: np.concatenate(parts) for name, parts in kept.items()})
 
 
-def _sift(block: Configuration, conditions: Sequence[Condition], codes: Bytes) -> Configuration:
-    """Write the codes of a block's nodes and return what is left inside."""
+def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> int:
+    """Return how many of the leading conditions are decided along whole lines of the grid."""
+    motion, line = mechanism.motion, grid.axes[-1]
+    if line.coordinate not in motion.translations or line.step < FINEST * _size(mechanism, grid):
+        return 0
+    tested = [condition.line_tests is not None for condition in conditions]
+    return tested.index(False) if False in tested else len(tested)
+
+
+def _size(mechanism: Mechanism, grid: Grid) -> float:
+    """Return the size of the greatest length that the leg equations meet. [m]"""
+    legs = mechanism.legs
+    limits = np.concatenate([legs.lower_limit, legs.upper_limit])
+    lengths = [legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length, grid.fixed]
+    reached = [max(abs(axis.minimum), abs(axis.maximum)) for axis in grid.axes]
+    return float(
+        max(
+            np.max(np.abs(values), initial=0.0)
+            for values in (*lengths, limits[np.isfinite(limits)], reached)
+        )
+    )
+
+
+def _walk(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, start: int, stop: int
+) -> tuple[Bytes, Integers]:
+    """Return the runs of whole lines under conditions that are decided along them."""
+    tests = [
+        (test, leg)
+        for c in conditions
+        for test, leg in zip(c.line_tests or (), c.legs, strict=True)
+    ]
+    numbers = np.array(tests, dtype=np.int64).reshape(-1, 2).T.copy()
+    stretch = LINES * grid.shape[-1]
+    parts = [
+        walk(
+            numbers[0],
+            numbers[1],
+            mechanism.legs,
+            mechanism.motion.kernel,
+            grid.kernel,
+            first,
+            min(first + stretch, stop),
+        )
+        for first in range(start, stop, stretch)
+    ]
+    codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return codes, lengths
+
+
+def _sift(
+    block: Configuration, conditions: Sequence[Condition], code: int, codes: Bytes
+) -> Configuration:
+    """Write the codes of a block's nodes, from `code` on, and return what is left inside."""
     alive = np.arange(block.count)
-    code = 1
     for condition in conditions:
         holds = condition.check(block) >= 0.0
         every = np.all(holds, axis=0)

@@ -6,6 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
+from mechanics.kernels.lines import LIMITS, NOTHING
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
 
@@ -27,6 +28,8 @@ class ActuatorLimits(Condition):
         # With one stop or none, some turn of a crank is always free.
         self._free = turning & ~both_stops
         self._turned = turning & both_stops
+        if not self._turned.any():
+            self.line_tests = tuple(NOTHING if crank else LIMITS for crank in turning[:, 0])
         ends = np.where(self._turned, [self._lower, self._upper], 0.0)
         self._middle = 0.5 * (ends[0] + ends[1])
 

@@ -6,6 +6,9 @@ from typing import NamedTuple
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 
+NO_LEG = -1
+"""The leg of a part that all legs make together."""
+
 
 class Breach(NamedTuple):
     """What was measured and the limit nearest to it, shape (parts, poses) each."""
@@ -15,13 +18,15 @@ class Breach(NamedTuple):
 
 
 class Condition(ABC):
-    """Something that must hold at a pose, part by part; a part belongs to a leg.
+    """Something that must hold at a pose, part by part; a part belongs to a leg or to `NO_LEG`.
 
     A condition's `reason` names it on the wire; `legs` holds the leg of each of its parts.
     """
 
     reason: str
     legs: tuple[int, ...]
+    line_tests: tuple[int, ...] | None = None
+    """The test of each part that decides it along whole lines (`kernels.lines`), if there are."""
 
     @abstractmethod
     def check(self, block: Configuration) -> Floats:

@@ -12,11 +12,13 @@ from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.efforts import invert, worst_into
 from mechanics.kernels.jacobians import project, rod_wrench
 from mechanics.kernels.legs import (
+    Vector,
     arm,
     crank_angle,
     crank_equation,
     crank_rod,
     crank_turn,
+    numbers,
     rail_coordinate,
     rail_rod,
     span,
@@ -66,19 +68,20 @@ def _drive_coordinates(
     legs: Legs, k: int, positions: Floats, rotations: Floats, value: Floats
 ) -> None:
     """Write one leg's drive coordinates in one pass, without keeping what lies between."""
+    leg = numbers(legs, k)
     if legs.drive[k] == CRANK:
         for i in range(LANES):
-            x, y, z = span(legs, k, positions, arm(legs, k, rotations, i), i)
-            P, Q, S, root = crank_equation(legs, k, x, y, z)
-            c, s = crank_turn(P, Q, S, root, legs.working_mode[k])
+            x, y, z = span(leg, _column(positions, i), arm(leg, rotations, i))
+            P, Q, S, root = crank_equation(leg, x, y, z)
+            c, s = crank_turn(P, Q, S, root, leg.working_mode)
             value[i] = crank_angle(c, s)
     elif legs.drive[k] == RAIL:
         for i in range(LANES):
-            x, y, z = span(legs, k, positions, arm(legs, k, rotations, i), i)
-            value[i] = rail_coordinate(legs, k, x, y, z)
+            x, y, z = span(leg, _column(positions, i), arm(leg, rotations, i))
+            value[i] = rail_coordinate(leg, x, y, z)
     else:
         for i in range(LANES):
-            x, y, z = span(legs, k, positions, arm(legs, k, rotations, i), i)
+            x, y, z = span(leg, _column(positions, i), arm(leg, rotations, i))
             value[i] = strut_length(x, y, z)
 
 
@@ -141,25 +144,26 @@ def _wrenches(
     legs: Legs, k: int, positions: Floats, rotations: Floats, wrenches: Floats, rates: Floats
 ) -> None:
     """Write one leg's rod wrenches, shape (6, poses), and its row of Jpsi."""
+    leg = numbers(legs, k)
     if legs.drive[k] == CRANK:
         for i in range(LANES):
-            rho = arm(legs, k, rotations, i)
-            d = span(legs, k, positions, rho, i)
-            P, Q, S, root = crank_equation(legs, k, d[0], d[1], d[2])
-            c, s = crank_turn(P, Q, S, root, legs.working_mode[k])
-            u, v, w, rates[k, i] = crank_rod(legs, k, d, c, s)
+            rho = arm(leg, rotations, i)
+            d = span(leg, _column(positions, i), rho)
+            P, Q, S, root = crank_equation(leg, d[0], d[1], d[2])
+            c, s = crank_turn(P, Q, S, root, leg.working_mode)
+            u, v, w, rates[k, i] = crank_rod(leg, d, c, s)
             _store(wrenches, i, rod_wrench((u, v, w), rho))
     elif legs.drive[k] == RAIL:
         for i in range(LANES):
-            rho = arm(legs, k, rotations, i)
-            d = span(legs, k, positions, rho, i)
-            q = rail_coordinate(legs, k, d[0], d[1], d[2])
-            u, v, w, rates[k, i] = rail_rod(legs, k, d, q)
+            rho = arm(leg, rotations, i)
+            d = span(leg, _column(positions, i), rho)
+            q = rail_coordinate(leg, d[0], d[1], d[2])
+            u, v, w, rates[k, i] = rail_rod(leg, d, q)
             _store(wrenches, i, rod_wrench((u, v, w), rho))
     else:
         for i in range(LANES):
-            rho = arm(legs, k, rotations, i)
-            d = span(legs, k, positions, rho, i)
+            rho = arm(leg, rotations, i)
+            d = span(leg, _column(positions, i), rho)
             u, v, w, rates[k, i] = strut_rod(d, strut_length(d[0], d[1], d[2]))
             _store(wrenches, i, rod_wrench((u, v, w), rho))
 
@@ -174,3 +178,8 @@ def _store(
     wrenches[3, i] = wrench[3]
     wrenches[4, i] = wrench[4]
     wrenches[5, i] = wrench[5]
+
+
+@inlined
+def _column(vectors: Floats, i: int) -> Vector:
+    return vectors[0, i], vectors[1, i], vectors[2, i]

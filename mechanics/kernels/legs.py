@@ -6,71 +6,100 @@ arrays that stay in cache.
 """
 
 import math
+from typing import NamedTuple
 
 from mechanics.arrays import Floats
 from mechanics.kernels.arithmetic import multiply_add
-from mechanics.kernels.compiling import kernel
+from mechanics.kernels.compiling import inlined, kernel
 from mechanics.legs import CRANK, RAIL, Legs
 
 Vector = tuple[float, float, float]
+
+
+class Numbers(NamedTuple):
+    """The numbers of one leg, free of arrays: what the formulas take (see `mechanics.legs`)."""
+
+    axis: Vector
+    zero_direction: Vector
+    quarter_direction: Vector
+    base_point: Vector
+    platform_point: Vector
+    crank_length: float
+    rod_length: float
+    rod_scale: float
+    working_mode: float
+    lower_limit: float
+    upper_limit: float
+
 
 ROUNDING = 4.0 * 2.0**-52
 """A sum of squares is taken as 0 below this share of its terms."""
 
 
+@inlined
+def numbers(legs: Legs, k: int) -> Numbers:
+    """Return the numbers of leg k."""
+    return Numbers(
+        (legs.axis[k, 0], legs.axis[k, 1], legs.axis[k, 2]),
+        (legs.zero_direction[k, 0], legs.zero_direction[k, 1], legs.zero_direction[k, 2]),
+        (legs.quarter_direction[k, 0], legs.quarter_direction[k, 1], legs.quarter_direction[k, 2]),
+        (legs.base_point[k, 0], legs.base_point[k, 1], legs.base_point[k, 2]),
+        (legs.platform_point[k, 0], legs.platform_point[k, 1], legs.platform_point[k, 2]),
+        legs.crank_length[k],
+        legs.rod_length[k],
+        legs.rod_scale[k],
+        legs.working_mode[k],
+        legs.lower_limit[k],
+        legs.upper_limit[k],
+    )
+
+
 @kernel
-def turned(a: float, b: float, c: float, vector: Floats) -> float:
+def turned(a: float, b: float, c: float, vector: Vector) -> float:
     """Return one coordinate of a turned vector: a row (a, b, c) of the rotation times it."""
     total: float = multiply_add(a, vector[0], multiply_add(b, vector[1], c * vector[2]))
     return total
 
 
-@kernel
-def arm(legs: Legs, k: int, rotations: Floats, i: int) -> Vector:
+@inlined
+def arm(leg: Numbers, rotations: Floats, i: int) -> Vector:
     """Return rho = R c0 of one leg at pose i. [m]"""
-    c0 = legs.platform_point[k]
     return (
-        turned(rotations[0, i], rotations[1, i], rotations[2, i], c0),
-        turned(rotations[3, i], rotations[4, i], rotations[5, i], c0),
-        turned(rotations[6, i], rotations[7, i], rotations[8, i], c0),
+        turned(rotations[0, i], rotations[1, i], rotations[2, i], leg.platform_point),
+        turned(rotations[3, i], rotations[4, i], rotations[5, i], leg.platform_point),
+        turned(rotations[6, i], rotations[7, i], rotations[8, i], leg.platform_point),
     )
 
 
 @kernel
-def span(legs: Legs, k: int, positions: Floats, rho: Vector, i: int) -> Vector:
-    """Return d = p + rho - A of one leg at pose i. [m]"""
-    A = legs.base_point[k]
-    return (
-        positions[0, i] + rho[0] - A[0],
-        positions[1, i] + rho[1] - A[1],
-        positions[2, i] + rho[2] - A[2],
-    )
+def span(leg: Numbers, p: Vector, rho: Vector) -> Vector:
+    """Return d = p + rho - A of one leg. [m]"""
+    A = leg.base_point
+    return p[0] + rho[0] - A[0], p[1] + rho[1] - A[1], p[2] + rho[2] - A[2]
 
 
 @kernel
 def attach(legs: Legs, positions: Floats, rotations: Floats, arms: Floats, spans: Floats) -> None:
     """Write the arms rho = R c0 and the spans d = p + rho - A of every leg. [m]"""
     for k in range(legs.drive.size):
-        c0 = legs.platform_point[k]
+        leg = numbers(legs, k)
         for j in range(3):
             # One coordinate at a time: three plain streams, which the compiler vectorises.
             a, b, c = rotations[3 * j], rotations[3 * j + 1], rotations[3 * j + 2]
             position, rho, d = positions[j], arms[k, j], spans[k, j]
             base = legs.base_point[k, j]
             for i in range(position.size):
-                rho[i] = turned(a[i], b[i], c[i], c0)
+                rho[i] = turned(a[i], b[i], c[i], leg.platform_point)
                 d[i] = position[i] + rho[i] - base
 
 
 @kernel
-def crank_equation(
-    legs: Legs, k: int, x: float, y: float, z: float
-) -> tuple[float, float, float, float]:
+def crank_equation(leg: Numbers, x: float, y: float, z: float) -> tuple[float, float, float, float]:
     """Return P, Q, S and the root of P^2 + Q^2 of P cos(psi) + Q sin(psi) = S. [m^2]"""
-    e = legs.zero_direction[k]
-    f = legs.quarter_direction[k]
-    r = legs.crank_length[k]
-    L = legs.rod_length[k]
+    e = leg.zero_direction
+    f = leg.quarter_direction
+    r = leg.crank_length
+    L = leg.rod_length
     P = 2.0 * r * (x * e[0] + y * e[1] + z * e[2])
     Q = 2.0 * r * (x * f[0] + y * f[1] + z * f[2])
     square = x * x + y * y + z * z
@@ -97,10 +126,10 @@ def crank_turn(P: float, Q: float, S: float, root: float, sign: float) -> tuple[
 
 
 @kernel
-def rail_equation(legs: Legs, k: int, x: float, y: float, z: float) -> tuple[float, float]:
+def rail_equation(leg: Numbers, x: float, y: float, z: float) -> tuple[float, float]:
     """Return d.s and L^2 less the squared distance of c from the rail; < 0: no reach. [m, m^2]"""
-    s = legs.axis[k]
-    L = legs.rod_length[k]
+    s = leg.axis
+    L = leg.rod_length
     along = x * s[0] + y * s[1] + z * s[2]
     u = x - along * s[0]
     v = y - along * s[1]
@@ -109,10 +138,10 @@ def rail_equation(legs: Legs, k: int, x: float, y: float, z: float) -> tuple[flo
 
 
 @kernel
-def rail_coordinate(legs: Legs, k: int, x: float, y: float, z: float) -> float:
+def rail_coordinate(leg: Numbers, x: float, y: float, z: float) -> float:
     """Return d.s +- the root of what is left of the rod; NaN: no reach. [m]"""
-    along, square = rail_equation(legs, k, x, y, z)
-    reached: float = along + legs.working_mode[k] * math.sqrt(square)
+    along, square = rail_equation(leg, x, y, z)
+    reached: float = along + leg.working_mode * math.sqrt(square)
     return reached
 
 
@@ -133,15 +162,16 @@ def crank_angle(cosine: float, sine: float) -> float:
 def reach_margins(legs: Legs, spans: Floats, margins: Floats) -> None:
     """Write, shape (legs, poses), by how much each leg equation is solvable; < 0: not. [m^2]"""
     for k in range(legs.drive.size):
+        leg = numbers(legs, k)
         x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
         margin = margins[k]
         if legs.drive[k] == CRANK:
             for i in range(x.size):
-                _, _, S, root = crank_equation(legs, k, x[i], y[i], z[i])
+                _, _, S, root = crank_equation(leg, x[i], y[i], z[i])
                 margin[i] = root - abs(S)
         elif legs.drive[k] == RAIL:
             for i in range(x.size):
-                margin[i] = rail_equation(legs, k, x[i], y[i], z[i])[1]
+                margin[i] = rail_equation(leg, x[i], y[i], z[i])[1]
         else:
             for i in range(x.size):
                 square = x[i] * x[i] + y[i] * y[i] + z[i] * z[i]
@@ -180,16 +210,16 @@ def travels(legs: Legs, spans: Floats, travel: Floats) -> None:
     Cosine and sine of a crank's angle; a rail's or strut's coordinate and nothing. [-, m]
     """
     for k in range(legs.drive.size):
+        leg = numbers(legs, k)
         x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
         first, second = travel[k, 0], travel[k, 1]
-        sign = legs.working_mode[k]
         if legs.drive[k] == CRANK:
             for i in range(x.size):
-                P, Q, S, root = crank_equation(legs, k, x[i], y[i], z[i])
-                first[i], second[i] = crank_turn(P, Q, S, root, sign)
+                P, Q, S, root = crank_equation(leg, x[i], y[i], z[i])
+                first[i], second[i] = crank_turn(P, Q, S, root, leg.working_mode)
         elif legs.drive[k] == RAIL:
             for i in range(x.size):
-                first[i] = rail_coordinate(legs, k, x[i], y[i], z[i])
+                first[i] = rail_coordinate(leg, x[i], y[i], z[i])
         else:
             for i in range(x.size):
                 first[i] = strut_length(x[i], y[i], z[i])
@@ -210,12 +240,12 @@ def coordinates(legs: Legs, travel: Floats, values: Floats) -> None:
 
 @kernel
 def crank_rod(
-    legs: Legs, k: int, d: Vector, cosine: float, sine: float
+    leg: Numbers, d: Vector, cosine: float, sine: float
 ) -> tuple[float, float, float, float]:
     """Return u = (d - B) / L and Jpsi = u B' of a crank. [-, m]"""
-    e, f = legs.zero_direction[k], legs.quarter_direction[k]
-    c, s = legs.crank_length[k] * cosine, legs.crank_length[k] * sine
-    share = 1.0 / legs.rod_scale[k]
+    e, f = leg.zero_direction, leg.quarter_direction
+    c, s = leg.crank_length * cosine, leg.crank_length * sine
+    share = 1.0 / leg.rod_scale
     u = (d[0] - (e[0] * c + f[0] * s)) * share
     v = (d[1] - (e[1] * c + f[1] * s)) * share
     w = (d[2] - (e[2] * c + f[2] * s)) * share
@@ -224,10 +254,10 @@ def crank_rod(
 
 
 @kernel
-def rail_rod(legs: Legs, k: int, d: Vector, q: float) -> tuple[float, float, float, float]:
+def rail_rod(leg: Numbers, d: Vector, q: float) -> tuple[float, float, float, float]:
     """Return u = (d - q s) / L and Jpsi = u s of a rail. [-, -]"""
-    s = legs.axis[k]
-    share = 1.0 / legs.rod_scale[k]
+    s = leg.axis
+    share = 1.0 / leg.rod_scale
     u = (d[0] - q * s[0]) * share
     v = (d[1] - q * s[1]) * share
     w = (d[2] - q * s[2]) * share
@@ -250,6 +280,7 @@ def rods(
     Jpsi, shape (legs, poses), is in m for a crank and a number for rails and struts.
     """
     for k in range(legs.drive.size):
+        leg = numbers(legs, k)
         x, y, z = spans[k, 0], spans[k, 1], spans[k, 2]
         first, second = travel[k, 0], travel[k, 1]
         u, v, w = directions[k, 0], directions[k, 1], directions[k, 2]
@@ -257,11 +288,11 @@ def rods(
         if legs.drive[k] == CRANK:
             for i in range(x.size):
                 d = x[i], y[i], z[i]
-                u[i], v[i], w[i], rate[i] = crank_rod(legs, k, d, first[i], second[i])
+                u[i], v[i], w[i], rate[i] = crank_rod(leg, d, first[i], second[i])
         elif legs.drive[k] == RAIL:
             for i in range(x.size):
                 d = x[i], y[i], z[i]
-                u[i], v[i], w[i], rate[i] = rail_rod(legs, k, d, first[i])
+                u[i], v[i], w[i], rate[i] = rail_rod(leg, d, first[i])
         else:
             for i in range(x.size):
                 u[i], v[i], w[i], rate[i] = strut_rod((x[i], y[i], z[i]), first[i])

@@ -15,6 +15,34 @@ TURNING_ABOUT_FIXED_AXES = 2
 
 
 @inlined
+def move_into(twists: Floats, poses: Floats, positions: Floats) -> None:
+    """Write positions, shape (3, poses)."""
+    for j in range(3):
+        for i in range(positions.shape[1]):
+            positions[j, i] = 0.0
+        for k in range(twists.shape[1]):
+            share = twists[j, k]
+            if share != 0.0:
+                for i in range(positions.shape[1]):
+                    positions[j, i] += share * poses[k, i]
+
+
+@inlined
+def turn_into(
+    coordinates: int, turning: int, axis: Floats, poses: Floats, turns: Floats, rotations: Floats
+) -> None:
+    """Write rotations, shape (9, poses) row by row; `turns`, shape (6, poses), is scratch."""
+    if turning == TURNING_ABOUT_AXIS:
+        about_axis(poses, coordinates - 1, axis, turns, rotations)
+    elif turning == TURNING_ABOUT_FIXED_AXES:
+        about_fixed_axes(poses, coordinates - 3, turns, rotations)
+    else:
+        for k in range(9):
+            for i in range(rotations.shape[1]):
+                rotations[k, i] = 1.0 if k % 4 == 0 else 0.0
+
+
+@inlined
 def place_into(
     twists: Floats,
     turning: int,
@@ -28,24 +56,8 @@ def place_into(
 
     `turns`, shape (6, poses), is overwritten with sines and cosines.
     """
-    coordinates = twists.shape[1]
-    count = positions.shape[1]
-    for j in range(3):
-        for i in range(count):
-            positions[j, i] = 0.0
-        for k in range(coordinates):
-            share = twists[j, k]
-            if share != 0.0:
-                for i in range(count):
-                    positions[j, i] += share * poses[k, i]
-    if turning == TURNING_ABOUT_AXIS:
-        about_axis(poses, coordinates - 1, axis, turns, rotations)
-    elif turning == TURNING_ABOUT_FIXED_AXES:
-        about_fixed_axes(poses, coordinates - 3, turns, rotations)
-    else:
-        for k in range(9):
-            for i in range(count):
-                rotations[k, i] = 1.0 if k % 4 == 0 else 0.0
+    move_into(twists, poses, positions)
+    turn_into(twists.shape[1], turning, axis, poses, turns, rotations)
 
 
 @kernel
@@ -58,27 +70,38 @@ def place(
 
 
 @kernel
+def write_pose(
+    node: int, minima: Floats, steps: Floats, shape: Integers, columns: Integers, pose: Floats
+) -> None:
+    """Write the coordinates of a flat node that the grid's axes drive, shape (coordinates,).
+
+    `columns` says which coordinate each axis drives; the last axis is the fastest.
+    """
+    rest = node
+    for a in range(shape.size - 1, -1, -1):
+        pose[columns[a]] = minima[a] + (rest % shape[a]) * steps[a]
+        rest //= shape[a]
+
+
+@kernel
 def grid_poses(
-    start: int,
-    stop: int,
+    nodes: Integers,
     minima: Floats,
     steps: Floats,
     shape: Integers,
     columns: Integers,
     fixed: Floats,
 ) -> Floats:
-    """Return the poses, shape (coordinates, nodes), of the grid's flat nodes start..stop.
+    """Return the poses, shape (coordinates, nodes), of flat nodes of a grid.
 
-    `columns` says which coordinate each axis drives; the others keep their value in `fixed`.
+    Coordinates that no axis drives keep their value in `fixed`.
     """
-    poses = np.empty((fixed.size, stop - start))
-    for k in range(fixed.size):
-        poses[k, :] = fixed[k]
-    for n in range(start, stop):
-        rest = n
-        for a in range(shape.size - 1, -1, -1):
-            poses[columns[a], n - start] = minima[a] + (rest % shape[a]) * steps[a]
-            rest //= shape[a]
+    poses = np.empty((fixed.size, nodes.size))
+    pose = fixed.copy()
+    for i in range(nodes.size):
+        write_pose(nodes[i], minima, steps, shape, columns, pose)
+        for k in range(fixed.size):
+            poses[k, i] = pose[k]
     return poses
 
 

@@ -10,21 +10,50 @@ from mechanics.kernels.compiling import kernel
 
 
 @kernel
-def encode(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
-    """Return codes and lengths of the runs of these nodes, the first of which is `start`."""
-    count = 0
-    for i in range(codes.size):
-        if i == 0 or codes[i] != codes[i - 1] or (start + i) % line == 0:
-            count += 1
-    values = np.empty(count, np.uint8)
-    lengths = np.zeros(count, np.int64)
-    run = -1
-    for i in range(codes.size):
-        if i == 0 or codes[i] != codes[i - 1] or (start + i) % line == 0:
-            run += 1
-            values[run] = codes[i]
-        lengths[run] += 1
-    return values, lengths
+def nodes_with(code: int, codes: Bytes, lengths: Integers, start: int) -> Integers:
+    """Return the flat nodes of the runs that have this code; the first run begins at `start`."""
+    total = 0
+    for run in range(codes.size):
+        if codes[run] == code:
+            total += lengths[run]
+    nodes = np.empty(total, np.int64)
+    written, node = 0, start
+    for run in range(codes.size):
+        if codes[run] == code:
+            for k in range(lengths[run]):
+                nodes[written] = node + k
+                written += 1
+        node += lengths[run]
+    return nodes
+
+
+@kernel
+def refine(
+    codes: Bytes, lengths: Integers, verdicts: Bytes, line: int, start: int
+) -> tuple[Bytes, Integers]:
+    """Return the runs with the nodes of code 0 given their own verdicts, one each, in order."""
+    count, used = 0, 0
+    for run in range(codes.size):
+        count += 1
+        if codes[run] == 0:
+            for k in range(1, lengths[run]):
+                count += verdicts[used + k] != verdicts[used + k - 1]
+            used += lengths[run]
+    fine, sizes = np.empty(count, np.uint8), np.empty(count, np.int64)
+    last, used, node = -1, 0, start
+    for run in range(codes.size):
+        for k in range(lengths[run] if codes[run] == 0 else 1):
+            code = verdicts[used + k] if codes[run] == 0 else codes[run]
+            size = 1 if codes[run] == 0 else lengths[run]
+            if last >= 0 and fine[last] == code and node % line != 0:
+                sizes[last] += size
+            else:
+                last += 1
+                fine[last], sizes[last] = code, size
+            node += size
+        if codes[run] == 0:
+            used += lengths[run]
+    return fine[: last + 1], sizes[: last + 1]
 
 
 @kernel

@@ -1,0 +1,127 @@
+"""Scans by whole lines find what scans node by node find, code for code."""
+
+import json
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from analyses.mechanisms import build
+from mechanics.conditions.actuator_limits import ActuatorLimits
+from mechanics.conditions.condition import Condition
+from mechanics.conditions.crank_rod_angle import CrankRodAngle, legs_with_elbows
+from mechanics.conditions.reach import Reach
+from mechanics.configuration import Configuration
+from mechanics.fields import actuators
+from mechanics.grid import Axis, Grid
+from mechanics.mechanism import Mechanism
+from mechanics.workspace import Scan, provable, scan
+from schemas.mechanisms import parse_spec
+from tests.oracles.draws import DRAWS, Draw, Fields, Random
+
+TRANSLATING = [name for name in sorted(DRAWS) if "spherical" not in name]
+
+
+def wired(wire: Fields) -> Mechanism:
+    return build(parse_spec(json.dumps(wire, default=float)))
+
+
+def limited(draw: Draw, random: Random) -> Mechanism:
+    """Return the mechanism with stops that some poses of the draw's box meet and others do not."""
+    poses = random.uniform(draw.least, draw.most, (200, draw.least.size)).T.copy()
+    drives = Configuration(wired(draw.wire), poses).actuators
+    drives = np.where(np.isnan(drives).all(axis=1, keepdims=True), 0.0, drives)
+    ends = [np.nanquantile(row, [0.2, 0.9]) for row in drives]
+    stops = [{"min": float(low), "max": float(high)} for low, high in ends]
+    return wired(draw.wire | {"actuator_limits": stops})
+
+
+def grid_about(draw: Draw, mechanism: Mechanism, random: Random, turning: bool) -> Grid:
+    """Return a grid of lines along some translation, wider than the draw's box."""
+    motion = mechanism.motion
+    names = list(random.permutation(motion.translations))
+    if turning and motion.turns:
+        names.insert(0, str(random.choice(motion.turns)))
+    columns = [motion.coordinates.index(name) for name in names]
+    wide = 4.0 * (draw.most - draw.least)
+    middle = 0.5 * (draw.most + draw.least) + 0.05 * wide * random.uniform(-1, 1, wide.size)
+    counts = [5] * (len(names) - 1) + [61]
+    axes = tuple(
+        Axis(name, middle[c] - 0.5 * wide[c], middle[c] + 0.5 * wide[c], wide[c] / (count - 0.5))
+        for name, c, count in zip(names, columns, counts, strict=True)
+    )
+    return Grid(axes, tuple(columns), middle)
+
+
+def same(one: Scan, other: Scan) -> bool:
+    return one.codes.tobytes() == other.codes.tobytes() and (
+        one.lengths.tobytes() == other.lengths.tobytes()
+    )
+
+
+@pytest.mark.parametrize("turning", [False, True])
+@pytest.mark.parametrize("name", TRANSLATING)
+def test_lines_and_nodes_agree(name: str, turning: bool) -> None:
+    random = np.random.default_rng(17)
+    for _ in range(5):
+        draw = DRAWS[name](random)
+        mechanism = limited(draw, random)
+        grid = grid_about(draw, mechanism, random, turning)
+        conditions: list[Condition] = [Reach(mechanism), ActuatorLimits(mechanism)]
+        if legs_with_elbows(mechanism):
+            conditions.append(CrankRodAngle(mechanism, 0.5, 2.8))
+        assert provable(mechanism, conditions, grid) >= 1
+        kept = {"actuators": actuators}
+        by_lines = scan(mechanism, conditions, grid, kept, 0, grid.size)
+        by_nodes = scan(mechanism, conditions, grid, kept, 0, grid.size, by_lines=False)
+        assert same(by_lines, by_nodes)
+        assert by_lines.fields["actuators"].tobytes() == by_nodes.fields["actuators"].tobytes()
+
+
+@pytest.mark.parametrize("name", ["delta_linear", "gough_stewart", "planar_3rrr", "hexa_rotary"])
+def test_a_stretch_may_begin_and_end_within_a_line(name: str) -> None:
+    random = np.random.default_rng(5)
+    draw = DRAWS[name](random)
+    mechanism = limited(draw, random)
+    grid = grid_about(draw, mechanism, random, turning=False)
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    whole = scan(mechanism, conditions, grid, {}, 0, grid.size, by_lines=False)
+    dense = np.repeat(whole.codes, whole.lengths)
+    for start, stop in pairwise([0, 1, 30, 61, 62, 200, grid.size - 1, grid.size]):
+        part = scan(mechanism, conditions, grid, {}, start, stop)
+        assert np.array_equal(np.repeat(part.codes, part.lengths), dense[start:stop])
+
+
+def test_lines_that_touch_a_boundary_are_decided_by_their_nodes() -> None:
+    # Lines and nodes fall on the circles' tops, on their centres and on their ends exactly.
+    mechanism = wired(
+        {
+            "kind": "custom",
+            "motion": "planar_translation",
+            "legs": [
+                {"drive": "crank", "base_point": [0, 0, 0], "axis": [0, 0, 1],
+                 "zero_direction": [1, 0, 0], "crank_length": 0.5, "rod_length": 0.5,
+                 "platform_point": [0, 0, 0]},
+                {"drive": "rail", "base_point": [0, 0.25, 0], "direction": [1, 0, 0],
+                 "rod_length": 0.75, "platform_point": [0, 0, 0]},
+            ],
+            "actuator_limits": [None, {"min": -0.5, "max": 0.5}],
+        }
+    )  # fmt: skip
+    for names in ("xy", "yx"):
+        axes = tuple(Axis(name, -1.25, 1.25, 0.125) for name in names)
+        grid = Grid(axes, tuple("xy".index(name) for name in names), np.zeros(2))
+        conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+        assert provable(mechanism, conditions, grid) == 2
+        by_lines = scan(mechanism, conditions, grid, {}, 0, grid.size)
+        by_nodes = scan(mechanism, conditions, grid, {}, 0, grid.size, by_lines=False)
+        assert same(by_lines, by_nodes)
+        assert 0 in by_lines.codes
+
+
+def test_the_finest_lines_are_left_to_nodes() -> None:
+    random = np.random.default_rng(1)
+    mechanism = limited(DRAWS["gough_stewart"](random), random)
+    axis = Axis("z", 0.9, 0.900001, 1e-8)
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    assert provable(mechanism, conditions, Grid((axis,), (2,), np.zeros(6))) == 0
