@@ -10,14 +10,11 @@ from analyses.analysis import Arrays
 from analyses.errors import AnalysisError
 from mechanics.arrays import Booleans, Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
-from mechanics.conditions.condition import Condition
+from mechanics.conditions.condition import NO_LEG, Condition
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
 from mechanics.drives import dead_drives
 from mechanics.mechanism import Mechanism
-
-NO_LEG = -1
-"""The leg of an obstacle that all legs make together."""
 
 ITEM_ARRAYS = ("pose", "leg", "reason", "value", "limit")
 _FOREIGN = 1e-12

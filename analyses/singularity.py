@@ -1,18 +1,17 @@
 """Singularity: how close a pose is to a singularity, and of which type that is."""
 
-from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, by_blocks, joined
+from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import check_poses, obstacle_rows, obstacles, pose_conditions, signs
 from analyses.units import determinant_unit
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
-from mechanics.singularity import characteristic_length, singularities
+from mechanics.singularity import singularities
 from schemas.poses import Obstacle
 from schemas.quantities import Model
 from schemas.singularity import SingularityRequest, SingularityResult
@@ -63,9 +62,9 @@ class Singularity(Analysis[SingularityRequest]):
             **obstacles(block, pose_conditions(mechanism), start),
         }
 
-    def assemble(self, request: SingularityRequest, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: SingularityRequest, stretches: Stretches) -> Model:
         """Return the columns of all poses."""
-        arrays = joined(stretches)
+        arrays = joined(stretches())
         mechanism = _mechanism(request)
         return SingularityResult.model_construct(
             analysis=self.name,
@@ -73,7 +72,7 @@ class Singularity(Analysis[SingularityRequest]):
             determinant=nullable(arrays["determinant"]),
             determinant_unit=determinant_unit(mechanism),
             condition_number=nullable(arrays["condition_number"]),
-            characteristic_length=characteristic_length(mechanism),
+            characteristic_length=mechanism.characteristic_length,
             type=[None if kind < 0 else kind for kind in arrays["type"].tolist()],
             pressure_angles=nullable(arrays["pressure_angles"]),
             free_motion=nullable_vectors(arrays["free_motion"]),

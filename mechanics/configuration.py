@@ -5,7 +5,7 @@ from functools import cached_property
 import numpy as np
 
 from mechanics.arrays import Booleans, Floats, Integers
-from mechanics.kernels import batches, cofactors, efforts, jacobians, legs
+from mechanics.kernels import batches, cofactors, efforts, jacobians, legs, pressure, spectra
 from mechanics.kernels.placing import gather
 from mechanics.mechanism import Mechanism
 
@@ -124,6 +124,34 @@ class Configuration:
     def determinants(self) -> Floats:
         """Det Jx, shape (poses,). [m to the number of turns]"""
         return self.cofactors[1]
+
+    @cached_property
+    def condition_numbers(self) -> Floats:
+        """Of Jx with turns at the characteristic length, shape (poses,); inf where singular."""
+        numbers = self._array()
+        scales = self.mechanism.coordinate_scales
+        spectra.condition_numbers(self.platform_jacobians, scales, numbers)
+        return numbers
+
+    @cached_property
+    def pressure_angles(self) -> Floats:
+        """Pressure angles, shape (legs, poses), within [0, pi/2]. [rad]
+
+        With all other drives braked, drive i moves the platform by J^-1 e_i; its pressure angle
+        is between the velocity of the leg's joint on the platform and the line of the rod's
+        force. At a type 2 singularity the platform's free motion takes its place. For an arc the
+        force acts along the great circle from the platform's axis to the intermediate one.
+        """
+        angles = self._array(self._legs)
+        pressure.pressure_angles(
+            self.mechanism.motion.twists,
+            self.mechanism.legs.joints,
+            self.cofactors[0],
+            self.rods[0],
+            self.attachment[0],
+            angles,
+        )
+        return angles
 
     @cached_property
     def effort_rows(self) -> Floats:

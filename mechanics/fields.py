@@ -32,3 +32,18 @@ def determinant(block: Configuration) -> Floats:
 def actuators(block: Configuration) -> Floats:
     """Return the field of the drive coordinates, shape (legs, poses). [rad or m]"""
     return block.actuators
+
+
+def condition_number(block: Configuration) -> Floats:
+    """Return the field of the condition number of Jx, shape (poses,); NaN where it is infinite.
+
+    Turns are measured at the characteristic length.
+    """
+    numbers = block.condition_numbers
+    return np.where(np.isinf(numbers), np.nan, numbers)
+
+
+def pressure_angle(block: Configuration) -> Floats:
+    """Return the field of the greatest pressure angle of any drive, shape (poses,). [rad]"""
+    greatest: Floats = np.max(block.pressure_angles, axis=0)
+    return greatest

@@ -43,6 +43,22 @@ class Mechanism:
         """All working modes, the signs of every leg, +1 before -1; a strut has no other than 1."""
         return list(product(*((1,) if d == STRUT else (1, -1) for d in self.legs.drive)))
 
+    @property
+    def characteristic_length(self) -> float:
+        """The rms distance of the platform's joints from the reference point. [m]
+
+        1 for mechanisms whose joints meet there, where no turn is measured with it.
+        """
+        points = self.legs.platform_point
+        length = float(np.sqrt(np.mean(np.sum(points**2, axis=1))))
+        return length or 1.0
+
+    @property
+    def coordinate_scales(self) -> Floats:
+        """What makes Jx's columns comparable, shape (coordinates,): turns' length, else 1."""
+        turning = np.array([c in self.motion.turns for c in self.motion.coordinates])
+        return np.where(turning, self.characteristic_length, 1.0)
+
     def in_working_mode(self, signs: WorkingMode) -> "Mechanism":
         """Return the same mechanism with another branch of its inverse solution.
 

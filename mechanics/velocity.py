@@ -1,5 +1,7 @@
 """Velocities: between platform and drives, and of the passive joints."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from mechanics.arrays import Floats
@@ -52,6 +54,43 @@ def actuator_rates(block: Configuration, twists: Floats) -> Floats:
     rates = block.rods[1]
     driven: Floats = along / np.where(dead_drives(block), np.nan, rates)
     return driven
+
+
+@dataclass(frozen=True)
+class Speed:
+    """How fast the platform moves, in a direction that is not known.
+
+    Parameters
+    ----------
+    linear : size of the reference point's velocity. [m/s]
+    angular : size of the angular velocity. [rad/s]
+    """
+
+    linear: float = 0.0
+    angular: float = 0.0
+
+
+def greatest_rates(block: Configuration, speed: Speed) -> Floats:
+    """Return the greatest drive rates over all directions of both parts of a platform's twist.
+
+    With j_i and k_i the linear and the angular part of row i of J = Jpsi^-1 Jx this is
+    v |j_i| + w |k_i|; parts along motions that the platform lacks have no share.
+
+    Returns
+    -------
+    array, shape (legs, poses)
+        Not below 0; infinite where the leg is stretched or folded (Jpsi = 0), NaN where it
+        cannot reach. [m/s or rad/s]
+    """
+    translations = len(block.mechanism.motion.translations)
+    squares = block.platform_jacobians**2
+    linear = np.sqrt(np.sum(squares[:, :translations], axis=1))
+    angular = np.sqrt(np.sum(squares[:, translations:], axis=1))
+    dead = dead_drives(block)
+    levers = np.where(dead, 1.0, np.abs(block.rods[1]))
+    rates = (speed.linear * linear + speed.angular * angular) / levers
+    greatest: Floats = np.where(dead, np.inf, rates)
+    return greatest
 
 
 def platform_twists(block: Configuration, rates: Floats) -> Floats:

@@ -23,6 +23,7 @@ Angle = Annotated[float, Field(ge=0, le=3.141592653589793, strict=True, allow_in
 Step = Annotated[float, Field(ge=1e-12, le=1e12, strict=True, allow_inf_nan=False)]
 Size = Annotated[float, Field(ge=0, le=1e12, strict=True, allow_inf_nan=False)]
 Limit = Annotated[float, Field(gt=0, le=1e12, strict=True, allow_inf_nan=False)]
+Ratio = Annotated[float, Field(ge=1, le=1e12, strict=True, allow_inf_nan=False)]
 
 
 class Model(BaseModel):

@@ -29,7 +29,8 @@ SI units: m, rad, s, N, N·m. Errors are problem details (`application/problem+j
 which field, what was given and what is allowed."""
 
 REASONS = """Reason codes of a workspace number (condition, leg) in this order of conditions:
-reach, actuator_limits, crank_rod_angle, rod_rod_angle, effort."""
+reach, actuator_limits, crank_rod_angle, rod_rod_angle, base_joint_angle, platform_joint_angle,
+rod_distance, effort, pressure_angle, determinant, condition_number, actuator_speed."""
 
 
 def create_app(settings: Settings) -> FastAPI:

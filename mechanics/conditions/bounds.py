@@ -1,4 +1,4 @@
-"""Values between two bounds: what conditions on angles and efforts have in common."""
+"""Angles, and values between bounds: what conditions have in common."""
 
 import numpy as np
 
@@ -14,3 +14,16 @@ def margin_between(values: Floats, lower: float | Floats, upper: float | Floats)
 def nearest_bound(values: Floats, lower: float | Floats, upper: float | Floats) -> Breach:
     """Return the values beside the bound that each breaks or is nearest to."""
     return Breach(values, np.where(values - lower < upper - values, lower, upper))
+
+
+def at_most(values: Floats, limit: float | Floats) -> Breach:
+    """Return the values beside the limit that none of them may exceed."""
+    return Breach(values, np.broadcast_to(limit, values.shape))
+
+
+def angles_between(first: Floats, second: Floats) -> Floats:
+    """Return the angles, shape (parts, poses), of vectors, shape (parts, 3, poses) each. [rad]"""
+    # The arc cosine alone would lose half the digits where the vectors fold or align.
+    sines = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
+    angles: Floats = np.arctan2(sines, np.einsum("kji,kji->ki", first, second))
+    return angles

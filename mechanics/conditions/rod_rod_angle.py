@@ -5,7 +5,7 @@ from itertools import combinations
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.conditions.bounds import margin_between, nearest_bound
+from mechanics.conditions.bounds import angles_between, margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
@@ -45,8 +45,4 @@ class RodRodAngle(Condition):
 
     def _angles(self, block: Configuration) -> Floats:
         directions = block.rods[0]
-        first, second = directions[self._first], directions[self._second]
-        # The arc cosine alone would lose half the digits where the rods fold or align.
-        sines = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
-        angles: Floats = np.arctan2(sines, np.einsum("kji,kji->ki", first, second))
-        return angles
+        return angles_between(directions[self._first], directions[self._second])

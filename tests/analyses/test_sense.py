@@ -2,11 +2,14 @@
 
 import json
 import re
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
 import analyses
+from analyses.workspace import SECONDS_PER_LEG
+from analyses.workspace_bounds import EFFECTIVE_BOUNDS
+from schemas.workspace import Reason, WorkspaceRequest
 
 BAR: dict[str, Any] = {
     "kind": "five_bar",
@@ -89,7 +92,7 @@ SENSELESS: dict[str, tuple[dict[str, Any], str]] = {
     ),
     "effective without a bound": (
         plane(**{"class": "effective"}, effective={"load": {"force": 1.0}}),
-        "/effective/max_effort",
+        "/effective",
     ),
     "effort field without load": (plane(fields=["effort"]), "/effective/load"),
     "greatest effort field without load": (plane(fields=["effort_max"]), "/effective/load"),
@@ -141,6 +144,29 @@ SENSIBLE: dict[str, dict[str, Any]] = {
     "one effort per leg": plane(
         **{"class": "effective"}, effective={"load": {"force": 1.0}, "max_effort": [2.0, 3.0]}
     ),
+    **{
+        f"effective by {name} alone": plane(
+            **{"class": "effective"}, effective={name: 1.0, **partner}
+        )
+        for name, partner in {
+            "max_pressure_angle": {},
+            "min_abs_determinant": {},
+            "max_condition_number": {},
+            "max_actuator_speed": {"platform_speed": {"linear": 1.0}},
+        }.items()
+    },
+    "cones with their axes": plane(
+        **{"class": "constructive"},
+        constructive={
+            "max_base_joint_angle": 1.0,
+            "base_joint_axes": [[1.0, 0.0, 0.0]] * 2,
+            "max_platform_joint_angle": 1.0,
+            "platform_joint_axes": [[0.0, 1e-6, 0.0], [0.0, 1e6, 0.0]],
+        },
+    ),
+    "a distance of rods": turning(
+        **{"class": "constructive"}, constructive={"min_rod_distance": 0.01}
+    ),
     "bounds of a higher class": plane(constructive={"min_rod_rod_angle": 0.1}),
     "one known force": effort(known_load={"force": [1.0, 0.0, 0.0]}),
     "a known force per pose": effort(known_load={"force": [[1.0, 0.0, 0.0]] * 2}),
@@ -152,6 +178,76 @@ SENSIBLE: dict[str, dict[str, Any]] = {
 @pytest.mark.parametrize("document", SENSIBLE.values(), ids=SENSIBLE.keys())
 def test_the_sensible_is_accepted(document: dict[str, Any]) -> None:
     check(document)
+
+
+@pytest.mark.parametrize(
+    "bounds",
+    [
+        {"max_base_joint_angle": 0.5, "base_joint_axes": [[0.0, 0.0, 1.0]] * 3},
+        {"max_platform_joint_angle": 0.5, "platform_joint_axes": [[0.0, 0.0, 1.0]] * 3},
+        {"min_rod_distance": 0.01},
+        {"min_crank_rod_angle": 0.1},
+    ],
+)
+def test_arcs_have_no_rods(bounds: dict[str, Any]) -> None:
+    arcs = dict.fromkeys(("proximal_arc", "distal_arc"), 1.5)
+    cones = dict.fromkeys(("base_cone", "platform_cone"), 0.9)
+    mechanism = {"kind": "spherical_3rrr", **arcs, **cones}
+    assert f"/constructive/{next(iter(bounds))}" in refused(
+        plane(mechanism=mechanism, constructive=bounds)
+    )
+
+
+def test_every_bound_of_the_effective_class_is_named() -> None:
+    detail = refused(plane(**{"class": "effective"}, effective={}))["/effective"]
+    assert all(name in detail for name in EFFECTIVE_BOUNDS)
+
+
+def test_every_reason_has_a_price() -> None:
+    assert set(SECONDS_PER_LEG) == set(get_args(Reason))
+
+
+def test_conditions_of_all_legs_name_none() -> None:
+    document = plane(
+        **{"class": "effective"},
+        effective={
+            "max_pressure_angle": 1.0,
+            "min_abs_determinant": 0.1,
+            "max_condition_number": 9.0,
+            "max_actuator_speed": 9.0,
+            "platform_speed": {"linear": 1.0},
+        },
+    )
+    answer = json.loads(analyses.answer(analyses.parse(json.dumps(document))).model_dump_json())
+    assert [(entry["reason"], entry["leg"]) for entry in answer["excluded"]] == [
+        ("reach", 0),
+        ("reach", 1),
+        ("pressure_angle", 0),
+        ("pressure_angle", 1),
+        ("determinant", None),
+        ("condition_number", None),
+        ("actuator_speed", 0),
+        ("actuator_speed", 1),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("field", "bound", "unit"),
+    [
+        ("condition_number", {"max_condition_number": 1.5}, "-"),
+        ("pressure_angle", {"max_pressure_angle": 1.0}, "rad"),
+    ],
+)
+def test_figures_mark_the_bound_of_their_field(
+    field: str, bound: dict[str, float], unit: str
+) -> None:
+    document = plane(**{"class": "effective"}, effective=bound, fields=[field])
+    request = analyses.parse(json.dumps(document))
+    assert isinstance(request, WorkspaceRequest)
+    made = analyses.compute(request, 0, 49)
+    shown = analyses.picture(request, lambda: iter([made]), field).field
+    assert shown is not None
+    assert (shown.unit, shown.limit) == (unit, *bound.values())
 
 
 def test_an_unknown_coordinate_is_told_what_is_allowed() -> None:

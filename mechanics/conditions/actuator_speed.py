@@ -1,0 +1,27 @@
+"""Actuator speed: no drive turns faster than it can, wherever the platform is heading."""
+
+from mechanics.arrays import Floats
+from mechanics.conditions.bounds import at_most
+from mechanics.conditions.condition import Breach, Condition
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+from mechanics.velocity import Speed, greatest_rates
+
+
+class ActuatorSpeed(Condition):
+    """The greatest rate of each drive is at most its limit, shape (legs,). [rad/s or m/s]"""
+
+    reason = "actuator_speed"
+
+    def __init__(self, mechanism: Mechanism, speed: Speed, limits: Floats) -> None:
+        self.legs = tuple(range(mechanism.leg_count))
+        self._speed = speed
+        self._limits = limits[:, None]
+
+    def check(self, block: Configuration) -> Floats:
+        """Return how far below its limit each drive's greatest rate is. [rad/s or m/s]"""
+        return self._limits - greatest_rates(block, self._speed)
+
+    def explain(self, block: Configuration) -> Breach:
+        """Return the drives' greatest rates, and their limits. [rad/s or m/s]"""
+        return at_most(greatest_rates(block, self._speed), self._limits)

@@ -1,0 +1,40 @@
+"""The joint at the platform end of each rod: it swings no farther than its cone allows."""
+
+import numpy as np
+
+from mechanics.arrays import Floats
+from mechanics.conditions.bounds import angles_between, at_most
+from mechanics.conditions.condition import Breach, Condition
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+
+
+class PlatformJointAngle(Condition):
+    """The angle between each rod and the rest direction of its joint at C is within a limit.
+
+    Parameters
+    ----------
+    axes : array, shape (legs, 3): the rods' directions, from base to platform, with the joints
+        at rest, in the platform's frame; of any length but 0.
+    limit : [rad]
+    """
+
+    reason = "platform_joint_angle"
+
+    def __init__(self, mechanism: Mechanism, axes: Floats, limit: float) -> None:
+        self.legs = tuple(range(mechanism.leg_count))
+        self._axes = axes
+        self._limit = limit
+
+    def check(self, block: Configuration) -> Floats:
+        """Return how far below the limit the angle at each joint is. [rad]"""
+        return self._limit - self._angles(block)
+
+    def explain(self, block: Configuration) -> Breach:
+        """Return the angles at the joints, and the limit. [rad]"""
+        return at_most(self._angles(block), self._limit)
+
+    def _angles(self, block: Configuration) -> Floats:
+        rotations = block.placement[1].reshape(3, 3, -1)
+        rest = np.einsum("jkn,lk->ljn", rotations, self._axes)
+        return angles_between(block.rods[0], rest)

@@ -1,0 +1,25 @@
+"""Pressure angle: every drive pushes its joint on the platform nearly where that can go."""
+
+from mechanics.arrays import Floats
+from mechanics.conditions.bounds import at_most
+from mechanics.conditions.condition import Breach, Condition
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+
+
+class PressureAngle(Condition):
+    """The pressure angle of each drive is at most a limit. [rad]"""
+
+    reason = "pressure_angle"
+
+    def __init__(self, mechanism: Mechanism, limit: float) -> None:
+        self.legs = tuple(range(mechanism.leg_count))
+        self._limit = limit
+
+    def check(self, block: Configuration) -> Floats:
+        """Return how far below the limit each pressure angle is. [rad]"""
+        return self._limit - block.pressure_angles
+
+    def explain(self, block: Configuration) -> Breach:
+        """Return the pressure angles, and the limit. [rad]"""
+        return at_most(block.pressure_angles, self._limit)
