@@ -13,6 +13,14 @@ class GeometryError(MechanicsError):
         self.leg = leg
 
 
+class NotOfferedError(MechanicsError):
+    """A workspace that the geometric method cannot describe; `leg` is the leg at fault, if any."""
+
+    def __init__(self, message: str, *, leg: int | None = None) -> None:
+        super().__init__(message if leg is None else f"leg {leg}: {message}")
+        self.leg = leg
+
+
 class PoseError(MechanicsError):
     """Poses whose shape does not fit the mechanism's coordinates."""
 
