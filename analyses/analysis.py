@@ -11,6 +11,9 @@ from analyses.plan import Plan, cut
 from schemas.quantities import Model
 
 Arrays = dict[str, NDArray[Any]]
+Stretches = Callable[[], Iterable[Arrays]]
+"""Starts anew at every call and yields the arrays of all stretches, in order."""
+
 POSES_PER_BLOCK = 2048
 RequestT = TypeVar("RequestT", bound=Model)
 
@@ -44,7 +47,7 @@ class Analysis(ABC, Generic[RequestT]):
         """Return the arrays of the items `start` to `stop`."""
 
     @abstractmethod
-    def assemble(self, request: RequestT, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: RequestT, stretches: Stretches) -> Model:
         """Return the result from all stretches, in order."""
 
     def line(self, request: RequestT) -> int:

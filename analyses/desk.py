@@ -1,10 +1,10 @@
 """The desk at which requests arrive: each is handed to the analysis that answers it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from analyses.analysis import Analysis, Arrays
+from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.effort import Effort
 from analyses.inverse_kinematics import InverseKinematics
 from analyses.kinds import describe
@@ -62,7 +62,7 @@ def compute(request: Request, start: int, stop: int) -> Arrays:
     return ANALYSES[request.analysis].compute(request, start, stop)
 
 
-def assemble(request: Request, stretches: Iterable[Arrays]) -> Model:
+def assemble(request: Request, stretches: Stretches) -> Model:
     """Return the result from the arrays of all tiles, in order."""
     return ANALYSES[request.analysis].assemble(request, stretches)
 
@@ -70,7 +70,7 @@ def assemble(request: Request, stretches: Iterable[Arrays]) -> Model:
 def answer(request: Request) -> Model:
     """Return the result of a checked request at once."""
     whole = compute(request, 0, ANALYSES[request.analysis].items(request))
-    return assemble(request, [whole])
+    return assemble(request, lambda: [whole])
 
 
 def has_grid(analysis: str) -> bool:

@@ -1,12 +1,12 @@
 """Effort: what the drives must bear under a load on the platform."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, by_blocks, joined
+from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import (
@@ -88,9 +88,9 @@ class Effort(Analysis[EffortRequest]):
             **found,
         }
 
-    def assemble(self, request: EffortRequest, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: EffortRequest, stretches: Stretches) -> Model:
         """Return the columns of all poses."""
-        arrays = joined(stretches)
+        arrays = joined(stretches())
         mechanism = _mechanism(request)
         worst: dict[str, Any] = {
             name: nullable_vectors(arrays[name]) if name in arrays else None

@@ -1,11 +1,10 @@
 """Inverse kinematics: which drive positions hold a pose, in one working mode or in all."""
 
-from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, by_blocks, joined
+from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.mechanisms import build
 from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
@@ -68,9 +67,9 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
             )
         return joined(parts, {"actuators": 1, "reachable": 1})
 
-    def assemble(self, request: InverseKinematicsRequest, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: InverseKinematicsRequest, stretches: Stretches) -> Model:
         """Return the columns of all poses."""
-        arrays = joined(stretches)
+        arrays = joined(stretches())
         # By mode, then by pose, however the poses were cut into stretches.
         order = np.lexsort((arrays["obstacle_pose"], arrays["obstacle_mode"]))
         unordered = obstacle_rows(arrays)

@@ -1,11 +1,10 @@
 """Velocity: rates of platform, drives and passive joints."""
 
-from collections.abc import Iterable
 from functools import partial
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays, by_blocks, joined
+from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
 from analyses.poses import (
@@ -87,9 +86,9 @@ class Velocity(Analysis[VelocityRequest]):
             **found,
         }
 
-    def assemble(self, request: VelocityRequest, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: VelocityRequest, stretches: Stretches) -> Model:
         """Return the columns of all poses."""
-        arrays = joined(stretches)
+        arrays = joined(stretches())
         mechanism = _mechanism(request)
         passive = [nullable_vectors(arrays[f"passive_{k}"]) for k in range(mechanism.leg_count)]
         return VelocityResult.model_construct(

@@ -1,23 +1,28 @@
 """Workspace: where the platform can be, and why not elsewhere."""
 
-from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
-from analyses.analysis import Analysis, Arrays
+from analyses.analysis import Analysis, Arrays, Stretches
+from analyses.errors import AnalysisError
 from analyses.poses import signs
 from analyses.units import coordinate_units, power_unit
-from analyses.workspace_fields import FieldSummaries
+from analyses.workspace_fields import FieldSummaries, histograms
+from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
-from mechanics import regions
+from mechanics import inscribed, regions
 from mechanics.arrays import Floats
+from mechanics.conditions.condition import NO_LEG
 from mechanics.workspace import reason_codes, scan
 from schemas.quantities import Model
 from schemas.workspace import (
     Bounds,
     Component,
     Excluded,
+    Inscribed,
+    InscribedBall,
+    InscribedBox,
     Measure,
     WorkspaceRequest,
     WorkspaceResult,
@@ -30,8 +35,22 @@ SECONDS_PER_LEG = {
     "actuator_limits": 6e-8,
     "crank_rod_angle": 4e-8,
     "rod_rod_angle": 8e-8,
+    "base_joint_angle": 1.3e-7,
+    "platform_joint_angle": 1e-7,
+    "rod_distance": 1.6e-7,
     "effort": 1.2e-7,
+    "pressure_angle": 2.1e-7,
+    "determinant": 8e-8,
+    "condition_number": 3e-7,
+    "actuator_speed": 8e-8,
 }
+FIELD_WORK = {
+    "effort": "effort",
+    "effort_max": "effort",
+    "condition_number": "condition_number",
+    "pressure_angle": "pressure_angle",
+}
+"""The condition whose work a field asks for too."""
 FIELD_PREFIX = "field_"
 
 
@@ -43,6 +62,9 @@ class Workspace(Analysis[WorkspaceRequest]):
     def check(self, request: WorkspaceRequest, node_limit: int) -> None:
         """Raise AnalysisError if the request makes no sense for its mechanism."""
         check_request(request, node_limit)
+        errors = geometric_errors(request, set_up(request))
+        if errors:
+            raise AnalysisError(*errors)
 
     def items(self, request: WorkspaceRequest) -> int:
         """Return the number of grid nodes."""
@@ -55,11 +77,16 @@ class Workspace(Analysis[WorkspaceRequest]):
     def seconds_per_item(self, request: WorkspaceRequest) -> float:
         """Return the cost of a node that meets every condition. [s]"""
         setup = set_up(request)
-        names = [condition.reason for condition in setup.conditions]
-        if any("effort" in name for name in setup.fields):
-            names.append("effort")
+        checked = [condition.reason for condition in setup.conditions]
+        # What a block keeps for its condition and its field alike is computed once.
+        kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
+        names = checked + [name for name in kept if name == "effort" or name not in checked]
         per_leg = sum(SECONDS_PER_LEG[name] for name in names)
         return SECONDS_PER_NODE + setup.mechanism.leg_count * per_leg
+
+    def seconds(self, request: WorkspaceRequest) -> float:
+        """Return the cost of all nodes, and of what is added to them. [s]"""
+        return super().seconds(request) + geometric_seconds(request, set_up(request))
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""
@@ -74,12 +101,12 @@ class Workspace(Analysis[WorkspaceRequest]):
         fields = {FIELD_PREFIX + name: values for name, values in found.fields.items()}
         return {"codes": found.codes, "lengths": found.lengths, **fields}
 
-    def assemble(self, request: WorkspaceRequest, stretches: Iterable[Arrays]) -> Model:
+    def assemble(self, request: WorkspaceRequest, stretches: Stretches) -> Model:
         """Return what the whole grid amounts to."""
         setup = set_up(request)
         summaries = FieldSummaries(setup, field_units(request, setup.mechanism))
         codes, lengths = [], []
-        for arrays in stretches:
+        for arrays in stretches():
             summaries.add(arrays)
             codes.append(arrays["codes"])
             lengths.append(arrays["lengths"])
@@ -91,9 +118,12 @@ class Workspace(Analysis[WorkspaceRequest]):
             working_mode=signs(setup.mechanism.legs.working_mode),
             shape=list(setup.grid.shape),
             nodes=setup.grid.size,
-            fields=summaries.answer(),
+            fields=summaries.answer(
+                histograms(stretches, request.fields) if request.histograms else {}
+            ),
             excluded=_excluded(setup, region),
-            **_extent(setup, region),
+            inscribed=_inscribed(setup, region) if request.inscribed else None,
+            **{"boundary": None} | _extent(setup, region) | geometric_extent(request, setup),
         )
 
 
@@ -118,6 +148,27 @@ def _extent(setup: WorkspaceSetup, region: regions.Region) -> dict[str, Any]:
         "components": [_component(setup, c) for c in components[:COMPONENTS_LISTED]],
         "component_count": len(components),
     }
+
+
+def _inscribed(setup: WorkspaceSetup, region: regions.Region) -> Inscribed:
+    ball = inscribed.largest_ball(region, setup.mechanism.motion)
+    box = inscribed.largest_box(region)
+    units = _axis_units(setup)
+    return Inscribed.model_construct(
+        ball=None
+        if ball is None
+        else InscribedBall.model_construct(
+            centre=_named(setup, ball.centre), radius=ball.radius, unit=units[0]
+        ),
+        box=None
+        if box is None
+        else InscribedBox.model_construct(
+            min=_named(setup, box.minimum),
+            max=_named(setup, box.maximum),
+            measure=box.measure,
+            unit=power_unit(units),
+        ),
+    )
 
 
 def _whole(components: list[regions.Component]) -> regions.Component | None:
@@ -174,7 +225,10 @@ def _excluded(setup: WorkspaceSetup, region: regions.Region) -> list[Excluded]:
     counts = region.nodes_by_code()
     return [
         Excluded.model_construct(
-            code=entry.code, reason=entry.reason, leg=entry.leg, nodes=int(counts[entry.code])
+            code=entry.code,
+            reason=entry.reason,
+            leg=None if entry.leg == NO_LEG else entry.leg,
+            nodes=int(counts[entry.code]),
         )
         for entry in reason_codes(setup.conditions)
     ]

@@ -1,14 +1,16 @@
 """Least, greatest and where: what a workspace's fields amount to, tile by tile."""
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from analyses.analysis import Arrays
+from analyses.analysis import Arrays, Stretches
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.arrays import Floats
+from mechanics.histograms import histogram as counted
 from mechanics.workspace import INSIDE
-from schemas.workspace import FieldSummary
+from schemas.workspace import FieldSummary, Histogram
 
 
 @dataclass
@@ -39,14 +41,19 @@ class FieldSummaries:
             _update(extremes, arrays[f"field_{name}"], firsts[inside], lengths[inside])
         self._node += int(lengths.sum())
 
-    def answer(self) -> dict[str, FieldSummary]:
+    def answer(self, histograms: Mapping[str, Histogram]) -> dict[str, FieldSummary]:
         """Return the summaries; null where no node inside has a value."""
-        return {name: self._summary(name, unit) for name, unit in self.units.items()}
+        return {
+            name: self._summary(name, unit, histograms.get(name))
+            for name, unit in self.units.items()
+        }
 
-    def _summary(self, name: str, unit: str) -> FieldSummary:
+    def _summary(self, name: str, unit: str, histogram: Histogram | None) -> FieldSummary:
         extremes = self._extremes.get(name, Extremes())
         if extremes.node is None:
-            return FieldSummary.model_construct(min=None, max=None, at_max=None, unit=unit)
+            return FieldSummary.model_construct(
+                min=None, max=None, at_max=None, unit=unit, histogram=histogram
+            )
         pose = self.setup.grid.poses(extremes.node, extremes.node + 1)[:, 0]
         names = self.setup.mechanism.motion.coordinates
         return FieldSummary.model_construct(
@@ -54,7 +61,22 @@ class FieldSummaries:
             max=extremes.greatest,
             at_max=dict(zip(names, pose.tolist(), strict=True)),
             unit=unit,
+            histogram=histogram,
         )
+
+
+def histograms(stretches: Stretches, names: Iterable[str]) -> dict[str, Histogram]:
+    """Return the histogram of each of these fields."""
+    return {name: _histogram(stretches, name) for name in names}
+
+
+def _histogram(stretches: Stretches, name: str) -> Histogram:
+    found = counted(lambda: (arrays[f"field_{name}"] for arrays in stretches()))
+    return Histogram.model_construct(
+        edges=found.edges.tolist(),
+        counts=found.counts.tolist(),
+        undefined=found.undefined + found.infinite,
+    )
 
 
 def _update(extremes: Extremes, values: Floats, firsts: Floats, lengths: Floats) -> None:

@@ -1,12 +1,12 @@
 """A workspace's dense arrays and its picture, made from runs when someone fetches them."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analyses.analysis import Arrays
+from analyses.analysis import Stretches
 from analyses.errors import AnalysisError
 from analyses.grids import DenseGrid, GridColumn
 from analyses.mechanisms import build
@@ -22,8 +22,13 @@ from mechanics.skeletons import joints
 from mechanics.workspace import INSIDE
 from schemas.workspace import WorkspaceRequest
 
-Stretches = Callable[[], Iterator[Arrays]]
-"""Starts anew at every call and yields the arrays of all tiles, in order."""
+LIMIT_OF_FIELD = {
+    "effort": "max_effort",
+    "effort_max": "max_effort",
+    "condition_number": "max_condition_number",
+    "pressure_angle": "max_pressure_angle",
+}
+"""The effective bound on what a field shows."""
 
 PICTURE_NODES = 1500
 """Most nodes along one side of a picture: more are not seen."""
@@ -157,14 +162,16 @@ def _shown(
         "effort": "Greatest effort of any drive",
         "effort_max": "Greatest effort of any drive",
         "determinant": "det Jx",
+        "condition_number": "Condition number",
+        "pressure_angle": "Greatest pressure angle of any drive",
         "actuators": "Greatest drive coordinate",
     }
     one_leg = {"effort": "Greatest effort of drive", "actuators": "Coordinate of drive"}
     label = texts[name] if leg is None else f"{one_leg[name]} {leg}"
     # Blocks of a higher class than the one asked are not applied, so their bounds say nothing.
     applied = request.effective if request.class_ == "effective" else None
-    limit = None if applied is None else applied.max_effort
-    shown_limit = limit if isinstance(limit, float) and "effort" in name else None
+    limit = getattr(applied, LIMIT_OF_FIELD.get(name, ""), None)
+    shown_limit = limit if isinstance(limit, float) else None
     return PictureField(label, field_units(request, mechanism)[name], values, shown_limit)
 
 

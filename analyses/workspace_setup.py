@@ -10,19 +10,12 @@ import numpy as np
 from analyses.errors import AnalysisError, pointer
 from analyses.mechanisms import build
 from analyses.units import determinant_unit, drive_units, effort_units, shared_unit
+from analyses.workspace_bounds import bound_errors, conditions_of, load_of
 from mechanics import fields as kept
-from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
-from mechanics.conditions.crank_rod_angle import CrankRodAngle, legs_with_elbows
-from mechanics.conditions.effort import Effort
-from mechanics.conditions.reach import Reach
-from mechanics.conditions.rod_rod_angle import RodRodAngle, rods_at_shared_joints
 from mechanics.grid import Axis, Grid
-from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
-from schemas.workspace import Constructive, Effective, WorkspaceRequest
-
-CLASSES = ("theoretical", "constructive", "effective")
+from schemas.workspace import WorkspaceRequest
 
 
 @dataclass(frozen=True)
@@ -50,48 +43,6 @@ def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     )
 
 
-def conditions_of(request: WorkspaceRequest, mechanism: Mechanism) -> tuple[Condition, ...]:
-    """Return the conditions of the request's class, in the order that reason codes follow."""
-    rank = CLASSES.index(request.class_)
-    conditions: list[Condition] = [Reach(mechanism)]
-    if rank >= CLASSES.index("constructive"):
-        conditions += _constructive(request.constructive or Constructive(), mechanism)
-    if rank >= CLASSES.index("effective") and request.effective is not None:
-        conditions += _effective(request.effective, mechanism)
-    return tuple(conditions)
-
-
-def _constructive(bounds: Constructive, mechanism: Mechanism) -> list[Condition]:
-    conditions: list[Condition] = []
-    limits = np.array([mechanism.legs.lower_limit, mechanism.legs.upper_limit])
-    if np.isfinite(limits).any():
-        conditions.append(ActuatorLimits(mechanism))
-    crank_rod = bounds.min_crank_rod_angle, bounds.max_crank_rod_angle
-    if crank_rod != (None, None):
-        conditions.append(CrankRodAngle(mechanism, *_both_ends(*crank_rod)))
-    rod_rod = bounds.min_rod_rod_angle, bounds.max_rod_rod_angle
-    if rod_rod != (None, None):
-        conditions.append(RodRodAngle(mechanism, *_both_ends(*rod_rod)))
-    return conditions
-
-
-def _both_ends(lower: float | None, upper: float | None) -> tuple[float, float]:
-    return 0.0 if lower is None else lower, math.pi if upper is None else upper
-
-
-def _effective(bounds: Effective, mechanism: Mechanism) -> list[Condition]:
-    if bounds.max_effort is None:
-        return []
-    limits = np.array(np.broadcast_to(bounds.max_effort, mechanism.leg_count), dtype=float)
-    return [Effort(mechanism, load_of(bounds), limits)]
-
-
-def load_of(effective: Effective | None) -> Load:
-    """Return the load of the effort limits and fields."""
-    size = effective.load if effective is not None else None
-    return Load() if size is None else Load(size.force, size.moment)
-
-
 def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
     """Return the fields asked for, by name."""
     load = load_of(request.effective)
@@ -99,6 +50,8 @@ def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
         "effort": kept.effort(load),
         "effort_max": kept.effort_max(load),
         "determinant": kept.determinant,
+        "condition_number": kept.condition_number,
+        "pressure_angle": kept.pressure_angle,
         "actuators": kept.actuators,
     }
     return {name: known[name] for name in request.fields}
@@ -109,8 +62,7 @@ def check_request(request: WorkspaceRequest, node_limit: int) -> None:
     mechanism = build(request.mechanism, request.working_mode)
     errors = [
         *_coordinate_errors(request, mechanism),
-        *_constructive_errors(request, mechanism),
-        *_effective_errors(request, mechanism),
+        *bound_errors(request, mechanism),
         *_size_errors(request, node_limit),
     ]
     if errors:
@@ -147,44 +99,6 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
         (f"/fixed/{name}", f"{name!r} is neither on the grid nor fixed; give its value")
         for name in missing
     ]
-    return errors
-
-
-def _constructive_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[tuple[str, str]]:
-    bounds = request.constructive
-    missing = []
-    if not legs_with_elbows(mechanism):
-        missing.append(("crank_rod_angle", "no leg of this mechanism has a crank and a rod"))
-    if not rods_at_shared_joints(mechanism):
-        missing.append(("rod_rod_angle", "no two rods of this mechanism share a joint"))
-    return [
-        (f"/constructive/{end}_{angle}", detail)
-        for angle, detail in missing
-        for end in ("min", "max")
-        if bounds is not None and getattr(bounds, f"{end}_{angle}") is not None
-    ]
-
-
-def _effective_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[tuple[str, str]]:
-    errors = []
-    bounds = request.effective
-    units = effort_units(mechanism)
-    if bounds is not None and isinstance(bounds.max_effort, float) and len(set(units)) > 1:
-        detail = f"drives bear {shared_unit(units)}; give one number per leg"
-        errors.append(("/effective/max_effort", detail))
-    if request.class_ == "effective" and (bounds is None or bounds.max_effort is None):
-        errors.append(("/effective/max_effort", "the class effective needs a bound; it is missing"))
-    if bounds is not None and isinstance(bounds.max_effort, list):
-        count = mechanism.leg_count
-        if len(bounds.max_effort) != count:
-            errors.append(
-                (
-                    "/effective/max_effort",
-                    f"must be one number or {count}, one per leg; given {len(bounds.max_effort)}",
-                )
-            )
-    if (bounds is None or bounds.load is None) and any("effort" in f for f in request.fields):
-        errors.append(("/effective/load", "the effort fields need a load; it is missing"))
     return errors
 
 
@@ -238,6 +152,8 @@ def field_units(request: WorkspaceRequest, mechanism: Mechanism) -> dict[str, st
         "effort": effort,
         "effort_max": effort,
         "determinant": determinant_unit(mechanism),
+        "condition_number": "-",
+        "pressure_angle": "rad",
         "actuators": shared_unit(drive_units(mechanism)),
     }
     return {name: units[name] for name in request.fields}

@@ -1,17 +1,44 @@
 """`workspace`: where the platform can be, and why not elsewhere."""
 
+import math
 from typing import Annotated, Literal
 
-from pydantic import Field, ValidationInfo, field_validator
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator
 
 from schemas.effort import LoadSize
-from schemas.legged import WorkingMode
+from schemas.legged import Vector, WorkingMode
 from schemas.mechanisms import Mechanism
-from schemas.quantities import Angle, Finite, Limit, Model, Step
+from schemas.quantities import Angle, Finite, Length, Limit, Model, Ratio, Size, Step
 
 WorkspaceClass = Literal["theoretical", "constructive", "effective"]
-FieldName = Literal["effort", "effort_max", "determinant", "actuators"]
-Reason = Literal["reach", "actuator_limits", "crank_rod_angle", "rod_rod_angle", "effort"]
+FieldName = Literal[
+    "effort", "effort_max", "determinant", "condition_number", "pressure_angle", "actuators"
+]
+Reason = Literal[
+    "reach",
+    "actuator_limits",
+    "crank_rod_angle",
+    "rod_rod_angle",
+    "base_joint_angle",
+    "platform_joint_angle",
+    "rod_distance",
+    "effort",
+    "pressure_angle",
+    "determinant",
+    "condition_number",
+    "actuator_speed",
+]
+
+_LEAST_DIRECTION = 1e-12
+
+
+def _some_direction(vector: list[float]) -> list[float]:
+    if math.hypot(*vector) < _LEAST_DIRECTION:
+        raise ValueError("must not be zero: it is a direction")
+    return vector
+
+
+Direction = Annotated[Vector, AfterValidator(_some_direction)]
 
 
 class GridAxis(Model):
@@ -32,16 +59,43 @@ class GridAxis(Model):
 
 
 class Constructive(Model):
-    """Bounds that the built mechanism sets; what is left out is not asked. [rad]"""
+    """Bounds that the built mechanism sets; what is left out is not asked."""
 
     min_crank_rod_angle: Angle | None = Field(
-        default=None, description="Inside angle at the elbow, 0 folded, pi stretched."
+        default=None, description="Inside angle at the elbow, 0 folded, pi stretched. [rad]"
     )
     max_crank_rod_angle: Angle | None = None
     min_rod_rod_angle: Angle | None = Field(
-        default=None, description="Angle between two rods at a shared joint of the platform."
+        default=None, description="Angle between two rods at a shared joint of the platform. [rad]"
     )
     max_rod_rod_angle: Angle | None = None
+    max_base_joint_angle: Angle | None = Field(
+        default=None,
+        description="Cone of the joint at each rod's moving end B (a strut's end on the base): "
+        "greatest angle of the rod off base_joint_axes, which it needs. Not for arcs. [rad]",
+    )
+    base_joint_axes: list[Direction] | None = Field(
+        default=None,
+        description="One per leg: the rod's direction, from base to platform, with that joint at "
+        "rest, in the base frame while all drives stand at 0; a crank turns it along. Of any "
+        "length but 0. There is no default: no leg has a direction in which its joint must rest.",
+    )
+    max_platform_joint_angle: Angle | None = Field(
+        default=None,
+        description="Cone of the joint at each rod's end on the platform: greatest angle of the "
+        "rod off platform_joint_axes, which it needs. Not for arcs. [rad]",
+    )
+    platform_joint_axes: list[Direction] | None = Field(
+        default=None,
+        description="One per leg: the rod's direction, from base to platform, with that joint at "
+        "rest, in the platform's frame. Of any length but 0; no default.",
+    )
+    min_rod_distance: Length | None = Field(
+        default=None,
+        description="Least distance between the centre lines of two rods, so the sum of their "
+        "radii; for all pairs that share no joint. Of a parallelogram its middle line is meant; "
+        "not for arcs. [m]",
+    )
 
     @field_validator("max_crank_rod_angle", "max_rod_rod_angle", mode="after")
     @classmethod
@@ -50,6 +104,13 @@ class Constructive(Model):
         if value is not None and least is not None and value < least:
             raise ValueError(f"must not be below its minimum, which is {least}")
         return value
+
+
+class PlatformSpeed(Model):
+    """A velocity of the platform whose size is known and whose direction is not."""
+
+    linear: Size = Field(default=0.0, description="Of the reference point. [m/s]")
+    angular: Size = Field(default=0.0, description="[rad/s]")
 
 
 class Effective(Model):
@@ -61,6 +122,27 @@ class Effective(Model):
     max_effort: Limit | list[Limit] | None = Field(
         default=None,
         description="Greatest effort of any drive under load: one, or one per leg. [N m or N]",
+    )
+    max_pressure_angle: Angle | None = Field(
+        default=None,
+        description="Between the velocity of each leg's joint on the platform, all other drives "
+        "braked, and the line of its rod's force; never above pi/2. [rad]",
+    )
+    min_abs_determinant: Limit | None = Field(
+        default=None, description="Of det Jx as it is. [m to the number of turns]"
+    )
+    max_condition_number: Ratio | None = Field(
+        default=None, description="Of Jx with turns measured at the characteristic length."
+    )
+    max_actuator_speed: Limit | list[Limit] | None = Field(
+        default=None,
+        description="Greatest speed of any drive at platform_speed, which it needs: one, or one "
+        "per leg. [rad/s or m/s]",
+    )
+    platform_speed: PlatformSpeed | None = Field(
+        default=None,
+        description="How fast the platform moves and turns, each in its own worst direction; "
+        "what the motion lacks has no share.",
     )
 
     @field_validator("max_effort", mode="after")
@@ -96,6 +178,20 @@ class WorkspaceRequest(Model):
     fields: list[FieldName] = Field(
         default_factory=list, max_length=20, description="Numbers to keep for every node inside."
     )
+    method: Literal["grid", "geometric"] = Field(
+        default="grid",
+        description="geometric: the measure is that of the intersection of the legs' regions, of "
+        "the whole of it, wherever the grid ends; in the plane so are bounds and centroid, and "
+        "its boundary is told in arcs. For reach and actuator limits, over all translations.",
+    )
+    inscribed: bool = Field(
+        default=False,
+        description="Whether to look for the largest ball and the largest box along the axes that "
+        "lie inside, on up to three axes.",
+    )
+    histograms: bool = Field(
+        default=False, description="Whether to count how often each field has which values."
+    )
     working_mode: WorkingMode | None = None
 
     @field_validator("fields", mode="after")
@@ -124,6 +220,41 @@ class Bounds(Model):
     clipped: bool = Field(description="It touches the grid's end and may go on beyond.")
 
 
+class Arc(Model):
+    """A circular arc of a boundary; the inside is on its left. [m, rad]"""
+
+    centre: list[float]
+    radius: float
+    start: float = Field(description="Angle of its first point.")
+    end: float = Field(description="Of its last point; below start where it turns clockwise.")
+
+
+class InscribedBall(Model):
+    """The largest interval, disc or ball about a node, all of whose neighbours are inside too."""
+
+    centre: dict[str, float]
+    radius: float
+    unit: str
+
+
+class InscribedBox(Model):
+    """The largest box, by measure, all of whose nodes are inside; its corners are nodes."""
+
+    min: dict[str, float]
+    max: dict[str, float]
+    measure: float
+    unit: str
+
+
+class Inscribed(Model):
+    """What fits into the workspace, between nodes that are inside."""
+
+    ball: InscribedBall | None = Field(
+        description="Null where none has room, or metres and radians are mixed."
+    )
+    box: InscribedBox | None = Field(description="Null where none has room.")
+
+
 class Component(Model):
     """A connected part; nodes are neighbours when their cells share a face."""
 
@@ -134,12 +265,20 @@ class Component(Model):
 
 
 class Excluded(Model):
-    """How many nodes one condition excluded on one leg."""
+    """How many nodes one condition excluded on one leg, of a pair of rods its first one's."""
 
     code: int = Field(description="What the grid's `reason` array says for these nodes.")
     reason: Reason
-    leg: int
+    leg: int | None = Field(description="Null where all legs together make the condition.")
     nodes: int
+
+
+class Histogram(Model):
+    """How many finite values lie between successive edges; the last bin has its upper edge too."""
+
+    edges: list[float] = Field(description="From the least value to the greatest, equally spaced.")
+    counts: list[int]
+    undefined: int = Field(description="Values that are not there or not finite.")
 
 
 class FieldSummary(Model):
@@ -149,6 +288,9 @@ class FieldSummary(Model):
     max: float | None
     at_max: dict[str, float] | None = Field(description="The pose at which it is greatest.")
     unit: str
+    histogram: Histogram | None = Field(
+        description="Over the nodes inside, and the legs; null unless asked for."
+    )
 
 
 class WorkspaceResult(Model):
@@ -167,4 +309,9 @@ class WorkspaceResult(Model):
     components: list[Component] = Field(description="The largest 100, the largest first.")
     component_count: int
     excluded: list[Excluded]
+    inscribed: Inscribed | None = Field(description="Null unless asked for.")
+    boundary: list[list[Arc]] | None = Field(
+        description="Closed loops, outer ones counterclockwise, holes clockwise; null unless the "
+        "geometric method was asked for in the plane."
+    )
     fields: dict[str, FieldSummary]

@@ -1,7 +1,7 @@
 """What worker processes compute. Requests come as JSON, so that nothing else need be pickled."""
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import analyses
 import storage
@@ -36,7 +36,7 @@ def assemble_result(request_json: str, database_url: str, job_id: str) -> str | 
     """
     database = storage.open_database(database_url)
     try:
-        tiles = storage.Jobs(database).tiles(job_id)
+        tiles = partial(storage.Jobs(database).tiles, job_id)
         return analyses.assemble(_parsed(request_json), tiles).model_dump_json()
     except analyses.AnalysisError as error:
         return _refused(error)

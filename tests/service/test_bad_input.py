@@ -28,6 +28,35 @@ CONSTRUCTIVE = WORKSPACE | {"class": "constructive"}
 TURNED = WORKSPACE | {"mechanism": PLANAR_3RRR}
 TURN_AXIS = {"coordinate": "phi", "min": 0.0, "max": 1.0, "step": 0.1}
 
+UP = [0, 0, 1]
+MIXED = WORKSPACE | {
+    "mechanism": {
+        "kind": "custom",
+        "motion": "planar_translation",
+        "legs": [
+            {
+                "drive": "crank",
+                "base_point": [-0.3, 0, 0],
+                "axis": UP,
+                "zero_direction": [1, 0, 0],
+                "crank_length": 0.5,
+                "rod_length": 0.5,
+                "platform_point": [0, 0, 0],
+            },
+            {"drive": "strut", "base_point": [0.3, 0, 0], "platform_point": [0, 0, 0]},
+        ],
+    }
+}
+
+
+def built(**bounds: Any) -> dict[str, Any]:  # noqa: ANN401
+    return CONSTRUCTIVE | {"constructive": bounds}
+
+
+def bounded(**bounds: Any) -> dict[str, Any]:  # noqa: ANN401
+    return EFFECTIVE | {"effective": {"load": {"force": 1}, "max_effort": 1.0, **bounds}}
+
+
 # What is wrong, the body, and where the problem must point.
 ANALYSES: dict[str, tuple[dict[str, Any], list[str]]] = {
     "a length of 0": (on(INVERSE, rod_length=0), ["/mechanism/rod_length"]),
@@ -135,7 +164,7 @@ ANALYSES: dict[str, tuple[dict[str, Any], list[str]]] = {
     "an unknown type": (WORKSPACE | {"type": "dreamt"}, ["/type"]),
     "an unknown field": (WORKSPACE | {"fields": ["mass"]}, ["/fields/0"]),
     "an effort field without load": (WORKSPACE | {"fields": ["effort"]}, ["/effective/load"]),
-    "an effective class without bound": (EFFECTIVE, ["/effective/max_effort"]),
+    "an effective class without bound": (EFFECTIVE, ["/effective"]),
     "a bound of effort without load": (
         EFFECTIVE | {"effective": {"max_effort": 1.0}},
         ["/effective/max_effort"],
@@ -163,6 +192,92 @@ ANALYSES: dict[str, tuple[dict[str, Any], list[str]]] = {
     "an angle between rods that share no joint": (
         TURNED | {"fixed": {"phi": 0}, "constructive": {"min_rod_rod_angle": 0.1}},
         ["/constructive/min_rod_rod_angle"],
+    ),
+    "a cone without axes": (
+        built(max_base_joint_angle=0.5),
+        ["/constructive/base_joint_axes"],
+    ),
+    "a platform's cone without axes": (
+        built(max_platform_joint_angle=0.5),
+        ["/constructive/platform_joint_axes"],
+    ),
+    "axes without a cone": (
+        built(base_joint_axes=[UP] * 2),
+        ["/constructive/max_base_joint_angle"],
+    ),
+    "a platform's axes without a cone": (
+        built(platform_joint_axes=[UP] * 2),
+        ["/constructive/max_platform_joint_angle"],
+    ),
+    "a cone above pi": (
+        built(max_base_joint_angle=4, base_joint_axes=[UP] * 2),
+        ["/constructive/max_base_joint_angle"],
+    ),
+    "a platform's cone below 0": (
+        built(max_platform_joint_angle=-0.1, platform_joint_axes=[UP] * 2),
+        ["/constructive/max_platform_joint_angle"],
+    ),
+    "axes of other legs": (
+        built(max_base_joint_angle=0.5, base_joint_axes=[UP] * 3),
+        ["/constructive/base_joint_axes"],
+    ),
+    "a platform's axes of other legs": (
+        built(max_platform_joint_angle=0.5, platform_joint_axes=[UP]),
+        ["/constructive/platform_joint_axes"],
+    ),
+    "an axis without direction": (
+        built(max_base_joint_angle=0.5, base_joint_axes=[UP, [0, 0, 0]]),
+        ["/constructive/base_joint_axes/1"],
+    ),
+    "a platform's axis of two numbers": (
+        built(max_platform_joint_angle=0.5, platform_joint_axes=[[1, 0], UP]),
+        ["/constructive/platform_joint_axes/0"],
+    ),
+    "a distance of rods that share a joint": (
+        built(min_rod_distance=0.01),
+        ["/constructive/min_rod_distance"],
+    ),
+    "a distance of 0": (
+        TURNED | {"fixed": {"phi": 0}, "constructive": {"min_rod_distance": 0}},
+        ["/constructive/min_rod_distance"],
+    ),
+    "a pressure angle above pi": (bounded(max_pressure_angle=4), ["/effective/max_pressure_angle"]),
+    "a determinant of 0": (bounded(min_abs_determinant=0), ["/effective/min_abs_determinant"]),
+    "a condition number below 1": (
+        bounded(max_condition_number=0.5),
+        ["/effective/max_condition_number"],
+    ),
+    "a condition number that is a text": (
+        bounded(max_condition_number="5"),
+        ["/effective/max_condition_number"],
+    ),
+    "drive speeds without a platform's": (
+        bounded(max_actuator_speed=1.0),
+        ["/effective/platform_speed"],
+    ),
+    "a platform's speed without the drives'": (
+        bounded(platform_speed={"linear": 1.0}),
+        ["/effective/max_actuator_speed"],
+    ),
+    "a platform's speed below 0": (
+        bounded(max_actuator_speed=1.0, platform_speed={"linear": -1.0}),
+        ["/effective/platform_speed/linear"],
+    ),
+    "a platform's angular speed that is a text": (
+        bounded(max_actuator_speed=1.0, platform_speed={"angular": "1"}),
+        ["/effective/platform_speed/angular"],
+    ),
+    "a drive speed of 0": (
+        bounded(max_actuator_speed=0, platform_speed={"linear": 1.0}),
+        ["/effective/max_actuator_speed"],
+    ),
+    "drive speeds of other legs": (
+        bounded(max_actuator_speed=[1.0, 1.0, 1.0], platform_speed={"linear": 1.0}),
+        ["/effective/max_actuator_speed"],
+    ),
+    "one drive speed for cranks and rails": (
+        MIXED | {"effective": {"max_actuator_speed": 1.0, "platform_speed": {"linear": 1.0}}},
+        ["/effective/max_actuator_speed"],
     ),
 }
 

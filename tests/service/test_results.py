@@ -30,7 +30,7 @@ def run(api: Service) -> Callable[[dict[str, Any]], dict[str, Any]]:
         pieces = [analyses.compute(request, *job.bounds(tile)) for tile in range(job.tiles)]
         for tile, piece in enumerate(pieces):
             queue.store_tile(job, tile, storage.pack_arrays(piece))
-        queue.succeed(job, analyses.assemble(request, pieces).model_dump_json())
+        queue.succeed(job, analyses.assemble(request, lambda: pieces).model_dump_json())
         answer: dict[str, Any] = api.get(f"/v1/jobs/{job.id}").json()
         return answer
 

@@ -6,7 +6,7 @@ A request is `{"log": file, "seconds": per tile, "do": {"start of a tile": what}
 import json
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -48,9 +48,11 @@ def compute(request: dict[str, Any], start: int, stop: int) -> dict[str, np.ndar
     return {"items": np.arange(start, stop)}
 
 
-def assemble(request: dict[str, Any], stretches: Iterable[dict[str, np.ndarray]]) -> Model:
+def assemble(
+    request: dict[str, Any], stretches: Callable[[], Iterable[dict[str, np.ndarray]]]
+) -> Model:
     time.sleep(request.get("assembling_seconds", 0.0))
-    return Model({"items": [int(item) for arrays in stretches for item in arrays["items"]]})
+    return Model({"items": [int(item) for arrays in stretches() for item in arrays["items"]]})
 
 
 def _misbehave(what: str | None, tries: int) -> None:

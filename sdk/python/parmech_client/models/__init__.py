@@ -1,6 +1,7 @@
 """Contains all the data models used in inputs/outputs"""
 
 from .actuator_limit import ActuatorLimit
+from .arc import Arc
 from .bounds import Bounds
 from .component import Component
 from .component_centroid import ComponentCentroid
@@ -42,6 +43,13 @@ from .hexa_linear import HexaLinear
 from .hexa_linear_working_mode_type_0_item import HexaLinearWorkingModeType0Item
 from .hexa_rotary import HexaRotary
 from .hexa_rotary_working_mode_type_0_item import HexaRotaryWorkingModeType0Item
+from .histogram import Histogram
+from .inscribed import Inscribed
+from .inscribed_ball import InscribedBall
+from .inscribed_ball_centre import InscribedBallCentre
+from .inscribed_box import InscribedBox
+from .inscribed_box_max import InscribedBoxMax
+from .inscribed_box_min import InscribedBoxMin
 from .inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from .inverse_kinematics_all_modes_result_working_modes_item_item import (
     InverseKinematicsAllModesResultWorkingModesItemItem,
@@ -71,6 +79,7 @@ from .obstacle_reason import ObstacleReason
 from .planar_3rrr import Planar3RRR
 from .planar_3rrr_working_mode_type_0_item import Planar3RRRWorkingModeType0Item
 from .platform_body import PlatformBody
+from .platform_speed import PlatformSpeed
 from .preset import Preset
 from .problem import Problem
 from .progress import Progress
@@ -95,6 +104,7 @@ from .workspace_request import WorkspaceRequest
 from .workspace_request_class import WorkspaceRequestClass
 from .workspace_request_fields_item import WorkspaceRequestFieldsItem
 from .workspace_request_fixed import WorkspaceRequestFixed
+from .workspace_request_method import WorkspaceRequestMethod
 from .workspace_request_working_mode_type_0_item import WorkspaceRequestWorkingModeType0Item
 from .workspace_result import WorkspaceResult
 from .workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
@@ -104,6 +114,7 @@ from .workspace_result_working_mode_item import WorkspaceResultWorkingModeItem
 
 __all__ = (
     "ActuatorLimit",
+    "Arc",
     "Bounds",
     "Component",
     "ComponentCentroid",
@@ -145,6 +156,13 @@ __all__ = (
     "HexaLinearWorkingModeType0Item",
     "HexaRotary",
     "HexaRotaryWorkingModeType0Item",
+    "Histogram",
+    "Inscribed",
+    "InscribedBall",
+    "InscribedBallCentre",
+    "InscribedBox",
+    "InscribedBoxMax",
+    "InscribedBoxMin",
     "InverseKinematicsAllModesResult",
     "InverseKinematicsAllModesResultWorkingModesItemItem",
     "InverseKinematicsRequest",
@@ -172,6 +190,7 @@ __all__ = (
     "Planar3RRR",
     "Planar3RRRWorkingModeType0Item",
     "PlatformBody",
+    "PlatformSpeed",
     "Preset",
     "Problem",
     "Progress",
@@ -196,6 +215,7 @@ __all__ = (
     "WorkspaceRequestClass",
     "WorkspaceRequestFieldsItem",
     "WorkspaceRequestFixed",
+    "WorkspaceRequestMethod",
     "WorkspaceRequestWorkingModeType0Item",
     "WorkspaceResult",
     "WorkspaceResultCentroidType0",

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from attrs import define as _attrs_define
 
@@ -12,23 +12,24 @@ T = TypeVar("T", bound="Excluded")
 
 @_attrs_define
 class Excluded:
-    """How many nodes one condition excluded on one leg.
+    """How many nodes one condition excluded on one leg, of a pair of rods its first one's.
 
     Attributes:
         code (int): What the grid's `reason` array says for these nodes.
-        leg (int):
+        leg (int | None): Null where all legs together make the condition.
         nodes (int):
         reason (ExcludedReason):
     """
 
     code: int
-    leg: int
+    leg: int | None
     nodes: int
     reason: ExcludedReason
 
     def to_dict(self) -> dict[str, Any]:
         code = self.code
 
+        leg: int | None
         leg = self.leg
 
         nodes = self.nodes
@@ -53,7 +54,12 @@ class Excluded:
         d = dict(src_dict)
         code = d.pop("code")
 
-        leg = d.pop("leg")
+        def _parse_leg(data: object) -> int | None:
+            if data is None:
+                return data
+            return cast(int | None, data)
+
+        leg = _parse_leg(d.pop("leg"))
 
         nodes = d.pop("nodes")
 

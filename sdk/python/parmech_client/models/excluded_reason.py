@@ -1,12 +1,32 @@
 from typing import Literal
 
-ExcludedReason = Literal["actuator_limits", "crank_rod_angle", "effort", "reach", "rod_rod_angle"]
+ExcludedReason = Literal[
+    "actuator_limits",
+    "actuator_speed",
+    "base_joint_angle",
+    "condition_number",
+    "crank_rod_angle",
+    "determinant",
+    "effort",
+    "platform_joint_angle",
+    "pressure_angle",
+    "reach",
+    "rod_distance",
+    "rod_rod_angle",
+]
 
 EXCLUDED_REASON_VALUES: set[ExcludedReason] = {
     "actuator_limits",
+    "actuator_speed",
+    "base_joint_angle",
+    "condition_number",
     "crank_rod_angle",
+    "determinant",
     "effort",
+    "platform_joint_angle",
+    "pressure_angle",
     "reach",
+    "rod_distance",
     "rod_rod_angle",
 }
 

@@ -7,6 +7,7 @@ from attrs import define as _attrs_define
 
 if TYPE_CHECKING:
     from ..models.field_summary_at_max_type_0 import FieldSummaryAtMaxType0
+    from ..models.histogram import Histogram
 
 
 T = TypeVar("T", bound="FieldSummary")
@@ -18,24 +19,33 @@ class FieldSummary:
 
     Attributes:
         at_max (FieldSummaryAtMaxType0 | None): The pose at which it is greatest.
+        histogram (Histogram | None): Over the nodes inside, and the legs; null unless asked for.
         max_ (float | None):
         min_ (float | None):
         unit (str):
     """
 
     at_max: FieldSummaryAtMaxType0 | None
+    histogram: Histogram | None
     max_: float | None
     min_: float | None
     unit: str
 
     def to_dict(self) -> dict[str, Any]:
         from ..models.field_summary_at_max_type_0 import FieldSummaryAtMaxType0  # noqa: PLC0415
+        from ..models.histogram import Histogram  # noqa: PLC0415
 
         at_max: dict[str, Any] | None
         if isinstance(self.at_max, FieldSummaryAtMaxType0):
             at_max = self.at_max.to_dict()
         else:
             at_max = self.at_max
+
+        histogram: dict[str, Any] | None
+        if isinstance(self.histogram, Histogram):
+            histogram = self.histogram.to_dict()
+        else:
+            histogram = self.histogram
 
         max_: float | None
         max_ = self.max_
@@ -50,6 +60,7 @@ class FieldSummary:
         field_dict.update(
             {
                 "at_max": at_max,
+                "histogram": histogram,
                 "max": max_,
                 "min": min_,
                 "unit": unit,
@@ -61,6 +72,7 @@ class FieldSummary:
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.field_summary_at_max_type_0 import FieldSummaryAtMaxType0  # noqa: PLC0415
+        from ..models.histogram import Histogram  # noqa: PLC0415
 
         d = dict(src_dict)
 
@@ -78,6 +90,21 @@ class FieldSummary:
             return cast(FieldSummaryAtMaxType0 | None, data)
 
         at_max = _parse_at_max(d.pop("at_max"))
+
+        def _parse_histogram(data: object) -> Histogram | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                histogram_type_0 = Histogram.from_dict(data)
+
+                return histogram_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(Histogram | None, data)
+
+        histogram = _parse_histogram(d.pop("histogram"))
 
         def _parse_max_(data: object) -> float | None:
             if data is None:
@@ -97,6 +124,7 @@ class FieldSummary:
 
         field_summary = cls(
             at_max=at_max,
+            histogram=histogram,
             max_=max_,
             min_=min_,
             unit=unit,

@@ -7,6 +7,7 @@ from attrs import define as _attrs_define
 
 from ..models.workspace_request_class import WorkspaceRequestClass, check_workspace_request_class
 from ..models.workspace_request_fields_item import WorkspaceRequestFieldsItem, check_workspace_request_fields_item
+from ..models.workspace_request_method import WorkspaceRequestMethod, check_workspace_request_method
 from ..models.workspace_request_working_mode_type_0_item import (
     WorkspaceRequestWorkingModeType0Item,
     check_workspace_request_working_mode_type_0_item,
@@ -57,6 +58,12 @@ class WorkspaceRequest:
             effective (Effective | None | Unset):
             fields (list[WorkspaceRequestFieldsItem] | Unset): Numbers to keep for every node inside.
             fixed (WorkspaceRequestFixed | Unset): The value of every coordinate that is not on the grid.
+            histograms (bool | Unset): Whether to count how often each field has which values. Default: False.
+            inscribed (bool | Unset): Whether to look for the largest ball and the largest box along the axes that lie
+                inside, on up to three axes. Default: False.
+            method (WorkspaceRequestMethod | Unset): geometric: the measure is that of the intersection of the legs'
+                regions, of the whole of it, wherever the grid ends; in the plane so are bounds and centroid, and its boundary
+                is told in arcs. For reach and actuator limits, over all translations. Default: 'grid'.
             working_mode (list[WorkspaceRequestWorkingModeType0Item] | None | Unset):
     """
 
@@ -83,6 +90,9 @@ class WorkspaceRequest:
     effective: Effective | None | Unset = UNSET
     fields: list[WorkspaceRequestFieldsItem] | Unset = UNSET
     fixed: WorkspaceRequestFixed | Unset = UNSET
+    histograms: bool | Unset = False
+    inscribed: bool | Unset = False
+    method: WorkspaceRequestMethod | Unset = "grid"
     working_mode: list[WorkspaceRequestWorkingModeType0Item] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
@@ -167,6 +177,14 @@ class WorkspaceRequest:
         if not isinstance(self.fixed, Unset):
             fixed = self.fixed.to_dict()
 
+        histograms = self.histograms
+
+        inscribed = self.inscribed
+
+        method: str | Unset = UNSET
+        if not isinstance(self.method, Unset):
+            method = self.method
+
         working_mode: list[int] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
@@ -198,6 +216,12 @@ class WorkspaceRequest:
             field_dict["fields"] = fields
         if fixed is not UNSET:
             field_dict["fixed"] = fixed
+        if histograms is not UNSET:
+            field_dict["histograms"] = histograms
+        if inscribed is not UNSET:
+            field_dict["inscribed"] = inscribed
+        if method is not UNSET:
+            field_dict["method"] = method
         if working_mode is not UNSET:
             field_dict["working_mode"] = working_mode
 
@@ -412,6 +436,17 @@ class WorkspaceRequest:
         else:
             fixed = WorkspaceRequestFixed.from_dict(_fixed)
 
+        histograms = d.pop("histograms", UNSET)
+
+        inscribed = d.pop("inscribed", UNSET)
+
+        _method = d.pop("method", UNSET)
+        method: WorkspaceRequestMethod | Unset
+        if isinstance(_method, Unset):
+            method = UNSET
+        else:
+            method = check_workspace_request_method(_method)
+
         def _parse_working_mode(data: object) -> list[WorkspaceRequestWorkingModeType0Item] | None | Unset:
             if data is None:
                 return data
@@ -446,6 +481,9 @@ class WorkspaceRequest:
             effective=effective,
             fields=fields,
             fixed=fixed,
+            histograms=histograms,
+            inscribed=inscribed,
+            method=method,
             working_mode=working_mode,
         )
 

@@ -1,12 +1,16 @@
 from typing import Literal
 
-WorkspaceRequestFieldsItem = Literal["actuators", "determinant", "effort", "effort_max"]
+WorkspaceRequestFieldsItem = Literal[
+    "actuators", "condition_number", "determinant", "effort", "effort_max", "pressure_angle"
+]
 
 WORKSPACE_REQUEST_FIELDS_ITEM_VALUES: set[WorkspaceRequestFieldsItem] = {
     "actuators",
+    "condition_number",
     "determinant",
     "effort",
     "effort_max",
+    "pressure_angle",
 }
 
 

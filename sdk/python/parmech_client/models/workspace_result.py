@@ -12,9 +12,11 @@ from ..models.workspace_result_working_mode_item import (
 )
 
 if TYPE_CHECKING:
+    from ..models.arc import Arc
     from ..models.bounds import Bounds
     from ..models.component import Component
     from ..models.excluded import Excluded
+    from ..models.inscribed import Inscribed
     from ..models.measure import Measure
     from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
     from ..models.workspace_result_fields import WorkspaceResultFields
@@ -29,6 +31,8 @@ class WorkspaceResult:
 
     Attributes:
         analysis (Literal['workspace']):
+        boundary (list[list[Arc]] | None): Closed loops, outer ones counterclockwise, holes clockwise; null unless the
+            geometric method was asked for in the plane.
         bounds (list[Bounds]): Empty where nothing is inside.
         centroid (None | WorkspaceResultCentroidType0):
         class_ (WorkspaceResultClass):
@@ -36,6 +40,7 @@ class WorkspaceResult:
         components (list[Component]): The largest 100, the largest first.
         excluded (list[Excluded]):
         fields (WorkspaceResultFields):
+        inscribed (Inscribed | None): Null unless asked for.
         inside (int):
         measure (Measure): Length, area or volume of a workspace.
         nodes (int):
@@ -45,6 +50,7 @@ class WorkspaceResult:
     """
 
     analysis: Literal["workspace"]
+    boundary: list[list[Arc]] | None
     bounds: list[Bounds]
     centroid: None | WorkspaceResultCentroidType0
     class_: WorkspaceResultClass
@@ -52,6 +58,7 @@ class WorkspaceResult:
     components: list[Component]
     excluded: list[Excluded]
     fields: WorkspaceResultFields
+    inscribed: Inscribed | None
     inside: int
     measure: Measure
     nodes: int
@@ -60,9 +67,24 @@ class WorkspaceResult:
     working_mode: list[WorkspaceResultWorkingModeItem]
 
     def to_dict(self) -> dict[str, Any]:
+        from ..models.inscribed import Inscribed  # noqa: PLC0415
         from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0  # noqa: PLC0415
 
         analysis = self.analysis
+
+        boundary: list[list[dict[str, Any]]] | None
+        if isinstance(self.boundary, list):
+            boundary = []
+            for boundary_type_0_item_data in self.boundary:
+                boundary_type_0_item = []
+                for boundary_type_0_item_item_data in boundary_type_0_item_data:
+                    boundary_type_0_item_item = boundary_type_0_item_item_data.to_dict()
+                    boundary_type_0_item.append(boundary_type_0_item_item)
+
+                boundary.append(boundary_type_0_item)
+
+        else:
+            boundary = self.boundary
 
         bounds = []
         for bounds_item_data in self.bounds:
@@ -91,6 +113,12 @@ class WorkspaceResult:
 
         fields = self.fields.to_dict()
 
+        inscribed: dict[str, Any] | None
+        if isinstance(self.inscribed, Inscribed):
+            inscribed = self.inscribed.to_dict()
+        else:
+            inscribed = self.inscribed
+
         inside = self.inside
 
         measure = self.measure.to_dict()
@@ -111,6 +139,7 @@ class WorkspaceResult:
         field_dict.update(
             {
                 "analysis": analysis,
+                "boundary": boundary,
                 "bounds": bounds,
                 "centroid": centroid,
                 "class": class_,
@@ -118,6 +147,7 @@ class WorkspaceResult:
                 "components": components,
                 "excluded": excluded,
                 "fields": fields,
+                "inscribed": inscribed,
                 "inside": inside,
                 "measure": measure,
                 "nodes": nodes,
@@ -131,9 +161,11 @@ class WorkspaceResult:
 
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
+        from ..models.arc import Arc  # noqa: PLC0415
         from ..models.bounds import Bounds  # noqa: PLC0415
         from ..models.component import Component  # noqa: PLC0415
         from ..models.excluded import Excluded  # noqa: PLC0415
+        from ..models.inscribed import Inscribed  # noqa: PLC0415
         from ..models.measure import Measure  # noqa: PLC0415
         from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0  # noqa: PLC0415
         from ..models.workspace_result_fields import WorkspaceResultFields  # noqa: PLC0415
@@ -142,6 +174,31 @@ class WorkspaceResult:
         analysis = cast(Literal["workspace"], d.pop("analysis"))
         if analysis != "workspace":
             raise ValueError(f"analysis must match const 'workspace', got '{analysis}'")
+
+        def _parse_boundary(data: object) -> list[list[Arc]] | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                boundary_type_0 = []
+                _boundary_type_0 = data
+                for boundary_type_0_item_data in _boundary_type_0:
+                    boundary_type_0_item = []
+                    _boundary_type_0_item = boundary_type_0_item_data
+                    for boundary_type_0_item_item_data in _boundary_type_0_item:
+                        boundary_type_0_item_item = Arc.from_dict(boundary_type_0_item_item_data)
+
+                        boundary_type_0_item.append(boundary_type_0_item_item)
+
+                    boundary_type_0.append(boundary_type_0_item)
+
+                return boundary_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[list[Arc]] | None, data)
+
+        boundary = _parse_boundary(d.pop("boundary"))
 
         bounds = []
         _bounds = d.pop("bounds")
@@ -185,6 +242,21 @@ class WorkspaceResult:
 
         fields = WorkspaceResultFields.from_dict(d.pop("fields"))
 
+        def _parse_inscribed(data: object) -> Inscribed | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                inscribed_type_0 = Inscribed.from_dict(data)
+
+                return inscribed_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(Inscribed | None, data)
+
+        inscribed = _parse_inscribed(d.pop("inscribed"))
+
         inside = d.pop("inside")
 
         measure = Measure.from_dict(d.pop("measure"))
@@ -206,6 +278,7 @@ class WorkspaceResult:
 
         workspace_result = cls(
             analysis=analysis,
+            boundary=boundary,
             bounds=bounds,
             centroid=centroid,
             class_=class_,
@@ -213,6 +286,7 @@ class WorkspaceResult:
             components=components,
             excluded=excluded,
             fields=fields,
+            inscribed=inscribed,
             inside=inside,
             measure=measure,
             nodes=nodes,
