@@ -10,6 +10,7 @@ from analyses.poses import signs
 from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
+from analyses.workspace_home import component_code, home_errors, of_component
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
@@ -62,7 +63,8 @@ class Workspace(Analysis[WorkspaceRequest]):
     def check(self, request: WorkspaceRequest, node_limit: int) -> None:
         """Raise AnalysisError if the request makes no sense for its mechanism."""
         check_request(request, node_limit)
-        errors = geometric_errors(request, set_up(request))
+        setup = set_up(request)
+        errors = geometric_errors(request, setup) + home_errors(request, setup.mechanism)
         if errors:
             raise AnalysisError(*errors)
 
@@ -104,6 +106,7 @@ class Workspace(Analysis[WorkspaceRequest]):
     def assemble(self, request: WorkspaceRequest, stretches: Stretches) -> Model:
         """Return what the whole grid amounts to."""
         setup = set_up(request)
+        stretches = of_component(request, setup, stretches)
         summaries = FieldSummaries(setup, field_units(request, setup.mechanism))
         codes, lengths = [], []
         for arrays in stretches():
@@ -121,7 +124,7 @@ class Workspace(Analysis[WorkspaceRequest]):
             fields=summaries.answer(
                 histograms(stretches, request.fields) if request.histograms else {}
             ),
-            excluded=_excluded(setup, region),
+            excluded=_excluded(request, setup, region),
             inscribed=_inscribed(setup, region) if request.inscribed else None,
             **{"boundary": None} | _extent(setup, region) | geometric_extent(request, setup),
         )
@@ -221,9 +224,15 @@ def _axis_units(setup: WorkspaceSetup) -> list[str]:
     return [units[axis.coordinate] for axis in setup.grid.axes]
 
 
-def _excluded(setup: WorkspaceSetup, region: regions.Region) -> list[Excluded]:
+def _excluded(
+    request: WorkspaceRequest, setup: WorkspaceSetup, region: regions.Region
+) -> list[Excluded]:
     counts = region.nodes_by_code()
-    return [
+    code = component_code(setup)
+    apart = Excluded.model_construct(
+        code=code, reason="component", leg=None, nodes=int(counts[code])
+    )
+    conditions = [
         Excluded.model_construct(
             code=entry.code,
             reason=entry.reason,
@@ -232,3 +241,4 @@ def _excluded(setup: WorkspaceSetup, region: regions.Region) -> list[Excluded]:
         )
         for entry in reason_codes(setup.conditions)
     ]
+    return conditions if request.component == "all" else [*conditions, apart]

@@ -13,6 +13,7 @@ from analyses.mechanisms import build
 from analyses.pictures import PictureAxis, PictureField, Skeleton, WorkspacePicture
 from analyses.units import coordinate_units
 from analyses.workspace import field_width
+from analyses.workspace_home import of_component
 from analyses.workspace_setup import WorkspaceSetup, field_units, set_up
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
@@ -37,6 +38,7 @@ PICTURE_NODES = 1500
 def dense_grid(request: WorkspaceRequest, stretches: Stretches) -> DenseGrid:
     """Return the dense arrays, piece by piece; fields are NaN outside the workspace."""
     setup = set_up(request)
+    stretches = of_component(request, setup, stretches)
     shape = setup.grid.shape
     units = field_units(request, setup.mechanism)
     legs = setup.mechanism.leg_count
@@ -86,6 +88,7 @@ def picture(request: WorkspaceRequest, stretches: Stretches, field: str | None) 
     AnalysisError : as `check_picture`.
     """
     setup = set_up(request)
+    stretches = of_component(request, setup, stretches)
     chosen = check_picture(request, field)
     strides = [-(-n // PICTURE_NODES) for n in setup.grid.shape]
     inside, values = _thinned(stretches, setup, strides, chosen)

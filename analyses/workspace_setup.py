@@ -54,7 +54,9 @@ def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
         "pressure_angle": kept.pressure_angle,
         "actuators": kept.actuators,
     }
-    return {name: known[name] for name in request.fields}
+    # Whether neighbours are apart by a singularity shows in the signs.
+    hidden = ["determinant"] if request.component == "home" else []
+    return {name: known[name] for name in dict.fromkeys([*request.fields, *hidden])}
 
 
 def check_request(request: WorkspaceRequest, node_limit: int) -> None:

@@ -27,6 +27,7 @@ Reason = Literal[
     "determinant",
     "condition_number",
     "actuator_speed",
+    "component",
 ]
 
 _LEAST_DIRECTION = 1e-12
@@ -183,6 +184,16 @@ class WorkspaceRequest(Model):
         description="geometric: the measure is that of the intersection of the legs' regions, of "
         "the whole of it, wherever the grid ends; in the plane so are bounds and centroid, and "
         "its boundary is told in arcs. For reach and actuator limits, over all translations.",
+    )
+    component: Literal["all", "home"] = Field(
+        default="all",
+        description="home: only what the platform can reach from the pose `home` without det Jx "
+        "changing its sign; neighbouring nodes share a cell's face.",
+    )
+    home: list[Finite] | None = Field(
+        default=None,
+        max_length=6,
+        description="A pose of the mechanism; the nearest node stands for it.",
     )
     inscribed: bool = Field(
         default=False,

@@ -30,7 +30,8 @@ which field, what was given and what is allowed."""
 
 REASONS = """Reason codes of a workspace number (condition, leg) in this order of conditions:
 reach, actuator_limits, crank_rod_angle, rod_rod_angle, base_joint_angle, platform_joint_angle,
-rod_distance, effort, pressure_angle, determinant, condition_number, actuator_speed."""
+rod_distance, effort, pressure_angle, determinant, condition_number, actuator_speed; component is
+the last."""
 
 
 def create_app(settings: Settings) -> FastAPI:

@@ -102,6 +102,7 @@ from .velocity_result import VelocityResult
 from .velocity_result_working_mode_item import VelocityResultWorkingModeItem
 from .workspace_request import WorkspaceRequest
 from .workspace_request_class import WorkspaceRequestClass
+from .workspace_request_component import WorkspaceRequestComponent
 from .workspace_request_fields_item import WorkspaceRequestFieldsItem
 from .workspace_request_fixed import WorkspaceRequestFixed
 from .workspace_request_method import WorkspaceRequestMethod
@@ -213,6 +214,7 @@ __all__ = (
     "VelocityResultWorkingModeItem",
     "WorkspaceRequest",
     "WorkspaceRequestClass",
+    "WorkspaceRequestComponent",
     "WorkspaceRequestFieldsItem",
     "WorkspaceRequestFixed",
     "WorkspaceRequestMethod",

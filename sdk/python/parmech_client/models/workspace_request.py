@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 from attrs import define as _attrs_define
 
 from ..models.workspace_request_class import WorkspaceRequestClass, check_workspace_request_class
+from ..models.workspace_request_component import WorkspaceRequestComponent, check_workspace_request_component
 from ..models.workspace_request_fields_item import WorkspaceRequestFieldsItem, check_workspace_request_fields_item
 from ..models.workspace_request_method import WorkspaceRequestMethod, check_workspace_request_method
 from ..models.workspace_request_working_mode_type_0_item import (
@@ -54,11 +55,14 @@ class WorkspaceRequest:
             mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
                 HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
             type_ (Literal['constant_orientation']):
+            component (WorkspaceRequestComponent | Unset): home: only what the platform can reach from the pose `home`
+                without det Jx changing its sign; neighbouring nodes share a cell's face. Default: 'all'.
             constructive (Constructive | None | Unset):
             effective (Effective | None | Unset):
             fields (list[WorkspaceRequestFieldsItem] | Unset): Numbers to keep for every node inside.
             fixed (WorkspaceRequestFixed | Unset): The value of every coordinate that is not on the grid.
             histograms (bool | Unset): Whether to count how often each field has which values. Default: False.
+            home (list[float] | None | Unset): A pose of the mechanism; the nearest node stands for it.
             inscribed (bool | Unset): Whether to look for the largest ball and the largest box along the axes that lie
                 inside, on up to three axes. Default: False.
             method (WorkspaceRequestMethod | Unset): geometric: the measure is that of the intersection of the legs'
@@ -86,11 +90,13 @@ class WorkspaceRequest:
         | Translational3RRRR
     )
     type_: Literal["constant_orientation"]
+    component: WorkspaceRequestComponent | Unset = "all"
     constructive: Constructive | None | Unset = UNSET
     effective: Effective | None | Unset = UNSET
     fields: list[WorkspaceRequestFieldsItem] | Unset = UNSET
     fixed: WorkspaceRequestFixed | Unset = UNSET
     histograms: bool | Unset = False
+    home: list[float] | None | Unset = UNSET
     inscribed: bool | Unset = False
     method: WorkspaceRequestMethod | Unset = "grid"
     working_mode: list[WorkspaceRequestWorkingModeType0Item] | None | Unset = UNSET
@@ -150,6 +156,10 @@ class WorkspaceRequest:
 
         type_ = self.type_
 
+        component: str | Unset = UNSET
+        if not isinstance(self.component, Unset):
+            component = self.component
+
         constructive: dict[str, Any] | None | Unset
         if isinstance(self.constructive, Unset):
             constructive = UNSET
@@ -178,6 +188,15 @@ class WorkspaceRequest:
             fixed = self.fixed.to_dict()
 
         histograms = self.histograms
+
+        home: list[float] | None | Unset
+        if isinstance(self.home, Unset):
+            home = UNSET
+        elif isinstance(self.home, list):
+            home = self.home
+
+        else:
+            home = self.home
 
         inscribed = self.inscribed
 
@@ -208,6 +227,8 @@ class WorkspaceRequest:
                 "type": type_,
             }
         )
+        if component is not UNSET:
+            field_dict["component"] = component
         if constructive is not UNSET:
             field_dict["constructive"] = constructive
         if effective is not UNSET:
@@ -218,6 +239,8 @@ class WorkspaceRequest:
             field_dict["fixed"] = fixed
         if histograms is not UNSET:
             field_dict["histograms"] = histograms
+        if home is not UNSET:
+            field_dict["home"] = home
         if inscribed is not UNSET:
             field_dict["inscribed"] = inscribed
         if method is not UNSET:
@@ -386,6 +409,13 @@ class WorkspaceRequest:
         if type_ != "constant_orientation":
             raise ValueError(f"type must match const 'constant_orientation', got '{type_}'")
 
+        _component = d.pop("component", UNSET)
+        component: WorkspaceRequestComponent | Unset
+        if isinstance(_component, Unset):
+            component = UNSET
+        else:
+            component = check_workspace_request_component(_component)
+
         def _parse_constructive(data: object) -> Constructive | None | Unset:
             if data is None:
                 return data
@@ -438,6 +468,23 @@ class WorkspaceRequest:
 
         histograms = d.pop("histograms", UNSET)
 
+        def _parse_home(data: object) -> list[float] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                home_type_0 = cast(list[float], data)
+
+                return home_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[float] | None | Unset, data)
+
+        home = _parse_home(d.pop("home", UNSET))
+
         inscribed = d.pop("inscribed", UNSET)
 
         _method = d.pop("method", UNSET)
@@ -477,11 +524,13 @@ class WorkspaceRequest:
             grid=grid,
             mechanism=mechanism,
             type_=type_,
+            component=component,
             constructive=constructive,
             effective=effective,
             fields=fields,
             fixed=fixed,
             histograms=histograms,
+            home=home,
             inscribed=inscribed,
             method=method,
             working_mode=working_mode,
