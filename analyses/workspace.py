@@ -11,11 +11,13 @@ from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_home import component_code, home_errors, of_component
+from analyses.workspace_orientations import EVERY, extent, tried, tries
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import NO_LEG
-from mechanics.workspace import reason_codes, scan
+from mechanics.orientations import scan_orientations
+from mechanics.workspace import Scan, reason_codes, scan
 from schemas.quantities import Model
 from schemas.workspace import (
     Bounds,
@@ -84,7 +86,8 @@ class Workspace(Analysis[WorkspaceRequest]):
         kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
         names = checked + [name for name in kept if name == "effort" or name not in checked]
         per_leg = sum(SECONDS_PER_LEG[name] for name in names)
-        return SECONDS_PER_NODE + setup.mechanism.leg_count * per_leg
+        once = SECONDS_PER_NODE + setup.mechanism.leg_count * per_leg
+        return once * tries(setup.orientations)
 
     def seconds(self, request: WorkspaceRequest) -> float:
         """Return the cost of all nodes, and of what is added to them. [s]"""
@@ -98,8 +101,7 @@ class Workspace(Analysis[WorkspaceRequest]):
 
     def compute(self, request: WorkspaceRequest, start: int, stop: int) -> Arrays:
         """Return runs and fields of the nodes `start` to `stop`."""
-        s = set_up(request)
-        found = scan(s.mechanism, s.conditions, s.grid, s.fields, start, stop)
+        found = _scan(request, set_up(request), start, stop)
         fields = {FIELD_PREFIX + name: values for name, values in found.fields.items()}
         return {"codes": found.codes, "lengths": found.lengths, **fields}
 
@@ -118,6 +120,7 @@ class Workspace(Analysis[WorkspaceRequest]):
             analysis=self.name,
             class_=request.class_,
             type=request.type,
+            orientations=tried(setup.orientations),
             working_mode=signs(setup.mechanism.legs.working_mode),
             shape=list(setup.grid.shape),
             nodes=setup.grid.size,
@@ -128,6 +131,21 @@ class Workspace(Analysis[WorkspaceRequest]):
             inscribed=_inscribed(setup, region) if request.inscribed else None,
             **{"boundary": None} | _extent(setup, region) | geometric_extent(request, setup),
         )
+
+
+def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -> Scan:
+    if s.orientations is None:
+        return scan(s.mechanism, s.conditions, s.grid, s.fields, start, stop)
+    return scan_orientations(
+        s.mechanism,
+        s.conditions,
+        s.grid,
+        s.orientations,
+        start,
+        stop,
+        every=request.type in EVERY,
+        extent=extent(s.orientations) if request.fields else None,
+    )
 
 
 def field_width(name: str, legs: int) -> int:

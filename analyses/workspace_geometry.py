@@ -23,6 +23,8 @@ def geometric_errors(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[t
     if request.method != "geometric":
         return []
     motion = setup.mechanism.motion
+    if request.type != "constant_orientation":
+        return [("/method", f"geometric is of constant_orientation; the type is {request.type}")]
     if {axis.coordinate for axis in setup.grid.axes} != set(motion.translations):
         named = ", ".join(motion.translations)
         return [("/method", f"geometric needs all of {named} on the grid, and no turn")]

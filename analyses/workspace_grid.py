@@ -31,6 +31,15 @@ LIMIT_OF_FIELD = {
 }
 """The effective bound on what a field shows."""
 
+TYPES = {
+    "constant_orientation": "constant orientation",
+    "orientation": "orientations",
+    "maximal": "at some orientation",
+    "inclusive_orientation": "at some orientation of a range",
+    "orientation_range": "at every orientation of a range",
+    "full": "at every orientation",
+}
+
 PICTURE_NODES = 1500
 """Most nodes along one side of a picture: more are not seen."""
 
@@ -94,7 +103,7 @@ def picture(request: WorkspaceRequest, stretches: Stretches, field: str | None) 
     inside, values = _thinned(stretches, setup, strides, chosen)
     region = _region(stretches, setup)
     return WorkspacePicture(
-        title=f"{request.class_.capitalize()} workspace, constant orientation",
+        title=f"{request.class_.capitalize()} workspace, {TYPES[request.type]}",
         subtitle=_subtitle(request, region),
         axes=_axes(setup, strides),
         inside=inside,
@@ -168,6 +177,7 @@ def _shown(
         "condition_number": "Condition number",
         "pressure_angle": "Greatest pressure angle of any drive",
         "actuators": "Greatest drive coordinate",
+        "free_orientation": "Free range of orientation",
     }
     one_leg = {"effort": "Greatest effort of drive", "actuators": "Coordinate of drive"}
     label = texts[name] if leg is None else f"{one_leg[name]} {leg}"

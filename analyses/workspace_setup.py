@@ -9,8 +9,9 @@ import numpy as np
 
 from analyses.errors import AnalysisError, pointer
 from analyses.mechanisms import build
-from analyses.units import determinant_unit, drive_units, effort_units, shared_unit
+from analyses.units import determinant_unit, drive_units, effort_units, power_unit, shared_unit
 from analyses.workspace_bounds import bound_errors, conditions_of, load_of
+from analyses.workspace_orientations import MANY, orientation_errors, orientations_of, tries
 from mechanics import fields as kept
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
@@ -26,6 +27,8 @@ class WorkspaceSetup:
     grid: Grid
     conditions: tuple[Condition, ...]
     fields: Mapping[str, kept.Field]
+    orientations: Grid | None
+    """Those that each node is tried at; None: the one of its pose."""
 
 
 def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
@@ -35,11 +38,13 @@ def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     axes = tuple(Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid)
     columns = tuple(coordinates.index(axis.coordinate) for axis in axes)
     fixed = np.array([request.fixed.get(c, 0.0) for c in coordinates])
+    grid = Grid(axes, columns, fixed)
     return WorkspaceSetup(
         mechanism,
-        Grid(axes, columns, fixed),
+        grid,
         conditions_of(request, mechanism),
         fields_of(request),
+        orientations_of(request, mechanism, grid),
     )
 
 
@@ -56,7 +61,8 @@ def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
     }
     # Whether neighbours are apart by a singularity shows in the signs.
     hidden = ["determinant"] if request.component == "home" else []
-    return {name: known[name] for name in dict.fromkeys([*request.fields, *hidden])}
+    wanted = dict.fromkeys([*request.fields, *hidden])
+    return {name: known[name] for name in wanted if name in known}
 
 
 def check_request(request: WorkspaceRequest, node_limit: int) -> None:
@@ -64,9 +70,10 @@ def check_request(request: WorkspaceRequest, node_limit: int) -> None:
     mechanism = build(request.mechanism, request.working_mode)
     errors = [
         *_coordinate_errors(request, mechanism),
+        *orientation_errors(request, mechanism),
         *bound_errors(request, mechanism),
-        *_size_errors(request, node_limit),
     ]
+    errors = errors or _size_errors(request, mechanism, node_limit)
     if errors:
         raise AnalysisError(*errors)
 
@@ -82,21 +89,18 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
             errors.append((place, f"given {axis.coordinate!r}; allowed: {allowed}"))
         elif axis.coordinate in seen:
             errors.append((place, f"{axis.coordinate!r} has an axis already"))
-        elif axis.coordinate in motion.turns:
-            errors.append(
-                (
-                    place,
-                    f"{axis.coordinate!r} turns the platform; the type constant_orientation "
-                    "needs it in `fixed`",
-                )
-            )
+        elif (axis.coordinate in motion.turns) != (request.type == "orientation"):
+            does = "turns" if axis.coordinate in motion.turns else "moves"
+            detail = f"{axis.coordinate!r} {does} the platform, and the type is {request.type}"
+            errors.append((place, detail))
         seen.add(axis.coordinate)
     for name in request.fixed:
         if name not in motion.coordinates:
             errors.append((pointer("fixed", name), f"given {name!r}; allowed: {allowed}"))
         elif name in seen:
             errors.append((f"/fixed/{name}", f"{name!r} is on the grid already"))
-    missing = [c for c in motion.coordinates if c not in seen and c not in request.fixed]
+    needed = motion.translations if request.type in MANY else motion.coordinates
+    missing = [c for c in needed if c not in seen and c not in request.fixed]
     errors += [
         (f"/fixed/{name}", f"{name!r} is neither on the grid nor fixed; give its value")
         for name in missing
@@ -104,11 +108,17 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
     return errors
 
 
-def _size_errors(request: WorkspaceRequest, node_limit: int) -> list[tuple[str, str]]:
+def _size_errors(
+    request: WorkspaceRequest, mechanism: Mechanism, node_limit: int
+) -> list[tuple[str, str]]:
     axes = [Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid]
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
-    if nodes <= node_limit:
+    many = tries(set_up(request).orientations) if request.type in MANY else 1
+    if nodes * many <= node_limit:
         return []
+    if many > 1:
+        detail = f"{nodes:.6g} nodes at {many} orientations each; at most {node_limit} are allowed"
+        return [("/orientation_range" if many > node_limit else "/grid", detail)]
     factor = _coarsening(axes, node_limit)
     coarse = [_coarser(axis, factor) for axis in axes]
     steps = ", ".join(f"{axis.coordinate}: {_rounded_up(axis.step)}" for axis in coarse)
@@ -157,5 +167,6 @@ def field_units(request: WorkspaceRequest, mechanism: Mechanism) -> dict[str, st
         "condition_number": "-",
         "pressure_angle": "rad",
         "actuators": shared_unit(drive_units(mechanism)),
+        "free_orientation": power_unit(["rad"] * len(mechanism.motion.turns)),
     }
     return {name: units[name] for name in request.fields}

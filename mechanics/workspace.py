@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.arrays import Bytes, Floats, Integers
+from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
@@ -66,13 +66,15 @@ def scan(
     stop: int,
     *,
     by_lines: bool = True,
+    among: Booleans | None = None,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` of the grid belong to the workspace.
 
     A node belongs when every condition holds; its code is 0 then, else that of the first
     condition, and of that condition's first part, that fails (see `reason_codes`). The leading
     conditions that have closed forms along a line are decided line by line, unless `by_lines` is
-    false: then node by node like the others, with the same result.
+    false: then node by node like the others, with the same result. With `among`, shape
+    (stop - start,), only these nodes are held against the other conditions, and have fields.
 
     References
     ----------
@@ -85,15 +87,31 @@ def scan(
         return Scan(codes, lengths, {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
+    asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
     kept: dict[str, list[Floats]] = {name: [] for name in fields}
     # Fields of no node at all still have a shape.
-    for at in range(0, max(1, nodes.size), BLOCK):
-        block = Configuration(mechanism, grid.poses_at(nodes[at : at + BLOCK]))
-        block = _sift(block, rest, first, verdicts[at : at + BLOCK])
+    for at in range(0, max(1, asked.size), BLOCK):
+        chosen = asked[at : at + BLOCK]
+        block = Configuration(mechanism, grid.poses_at(nodes[chosen]))
+        own = np.zeros(chosen.size, np.uint8)
+        block = _sift(block, rest, first, own)
+        verdicts[chosen] = own
         for name, field in fields.items():
             kept[name].append(field(block).T)
     codes, lengths = kernels.refine(codes, lengths, verdicts, grid.shape[-1], start)
     return Scan(codes, lengths, {name: np.concatenate(parts) for name, parts in kept.items()})
+
+
+def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
+    """Return codes and lengths of the runs of nodes with these codes, the first being `start`."""
+    ends = np.append(
+        np.arange(start - start % line + line, start + codes.size, line), start + codes.size
+    )
+    lines = np.diff(ends, prepend=start)
+    runs: tuple[Bytes, Integers] = kernels.refine(
+        np.zeros(lines.size, np.uint8), lines, codes, line, start
+    )
+    return runs
 
 
 def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> int:

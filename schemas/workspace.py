@@ -11,8 +11,22 @@ from schemas.mechanisms import Mechanism
 from schemas.quantities import Angle, Finite, Length, Limit, Model, Ratio, Size, Step
 
 WorkspaceClass = Literal["theoretical", "constructive", "effective"]
+WorkspaceType = Literal[
+    "constant_orientation",
+    "orientation",
+    "maximal",
+    "inclusive_orientation",
+    "orientation_range",
+    "full",
+]
 FieldName = Literal[
-    "effort", "effort_max", "determinant", "condition_number", "pressure_angle", "actuators"
+    "effort",
+    "effort_max",
+    "determinant",
+    "condition_number",
+    "pressure_angle",
+    "actuators",
+    "free_orientation",
 ]
 Reason = Literal[
     "reach",
@@ -57,6 +71,21 @@ class GridAxis(Model):
         if least is not None and value < least:
             raise ValueError(f"max must not be below min, which is {least}")
         return value
+
+
+class OrientationAxis(Model):
+    """Orientations along one turning coordinate, from `min` to `max`, `step` apart. [rad]"""
+
+    coordinate: str = Field(max_length=40)
+    min: Finite | None = Field(
+        default=None, description="With max: for inclusive_orientation and orientation_range."
+    )
+    max: Finite | None = None
+    step: Step | None = Field(
+        default=None,
+        description="The largest there may be between orientations tried; by default 2 degrees "
+        "for one turn, 15 for three.",
+    )
 
 
 class Constructive(Model):
@@ -162,15 +191,25 @@ class WorkspaceRequest(Model):
     `class` says which conditions a pose must meet: `theoretical` the inverse problem alone;
     `constructive` also the actuator limits and what `constructive` bounds; `effective` also
     what `effective` bounds. Blocks of a higher class than the one asked are allowed, so that
-    one body serves all three, and are not applied. `type` constant_orientation: the
-    conditions hold at the one orientation given in `fixed`.
+    one body serves all three, and are not applied.
+
+    `type` says at which orientations the conditions must hold together: constant_orientation at
+    the one in `fixed`; orientation: these are on the grid, and the position is fixed; maximal at
+    some, full at every one; inclusive_orientation at some, orientation_range at every one of
+    `orientation_range`. Orientations are tried one by one on a grid that the result tells.
     """
 
     analysis: Literal["workspace"]
     mechanism: Mechanism
     class_: WorkspaceClass = Field(alias="class")
-    type: Literal["constant_orientation"]
+    type: WorkspaceType
     grid: Annotated[list[GridAxis], Field(min_length=1, max_length=6)]
+    orientation_range: list[OrientationAxis] = Field(
+        default_factory=list,
+        max_length=3,
+        description="The turns, for the types that need many orientations; for maximal and full "
+        "only their steps, since they mean the whole turn.",
+    )
     fixed: dict[str, Finite] = Field(
         default_factory=dict, description="The value of every coordinate that is not on the grid."
     )
@@ -220,6 +259,16 @@ class Measure(Model):
     rigorous: bool = Field(
         description="False where nodes were counted: what is thinner than a step is not seen."
     )
+
+
+class OrientationsTried(Model):
+    """The orientations along one turning coordinate at which the conditions were tried. [rad]"""
+
+    coordinate: str
+    min: float
+    max: float
+    step: float
+    count: int
 
 
 class Bounds(Model):
@@ -309,7 +358,10 @@ class WorkspaceResult(Model):
 
     analysis: Literal["workspace"]
     class_: WorkspaceClass = Field(alias="class")
-    type: Literal["constant_orientation"]
+    type: WorkspaceType
+    orientations: list[OrientationsTried] | None = Field(
+        description="Null for constant_orientation and orientation."
+    )
     working_mode: WorkingMode
     shape: list[int]
     nodes: int

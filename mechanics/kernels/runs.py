@@ -31,7 +31,10 @@ def nodes_with(code: int, codes: Bytes, lengths: Integers, start: int) -> Intege
 def refine(
     codes: Bytes, lengths: Integers, verdicts: Bytes, line: int, start: int
 ) -> tuple[Bytes, Integers]:
-    """Return the runs with the nodes of code 0 given their own verdicts, one each, in order."""
+    """Return the runs with the nodes of code 0 given their own verdicts, one each, in order.
+
+    No run may go beyond its line.
+    """
     count, used = 0, 0
     for run in range(codes.size):
         count += 1

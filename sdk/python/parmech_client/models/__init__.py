@@ -76,6 +76,8 @@ from .obstacle import Obstacle
 from .obstacle_in_mode import ObstacleInMode
 from .obstacle_in_mode_reason import ObstacleInModeReason
 from .obstacle_reason import ObstacleReason
+from .orientation_axis import OrientationAxis
+from .orientations_tried import OrientationsTried
 from .planar_3rrr import Planar3RRR
 from .planar_3rrr_working_mode_type_0_item import Planar3RRRWorkingModeType0Item
 from .platform_body import PlatformBody
@@ -106,11 +108,13 @@ from .workspace_request_component import WorkspaceRequestComponent
 from .workspace_request_fields_item import WorkspaceRequestFieldsItem
 from .workspace_request_fixed import WorkspaceRequestFixed
 from .workspace_request_method import WorkspaceRequestMethod
+from .workspace_request_type import WorkspaceRequestType
 from .workspace_request_working_mode_type_0_item import WorkspaceRequestWorkingModeType0Item
 from .workspace_result import WorkspaceResult
 from .workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
 from .workspace_result_class import WorkspaceResultClass
 from .workspace_result_fields import WorkspaceResultFields
+from .workspace_result_type import WorkspaceResultType
 from .workspace_result_working_mode_item import WorkspaceResultWorkingModeItem
 
 __all__ = (
@@ -188,6 +192,8 @@ __all__ = (
     "ObstacleInMode",
     "ObstacleInModeReason",
     "ObstacleReason",
+    "OrientationAxis",
+    "OrientationsTried",
     "Planar3RRR",
     "Planar3RRRWorkingModeType0Item",
     "PlatformBody",
@@ -218,10 +224,12 @@ __all__ = (
     "WorkspaceRequestFieldsItem",
     "WorkspaceRequestFixed",
     "WorkspaceRequestMethod",
+    "WorkspaceRequestType",
     "WorkspaceRequestWorkingModeType0Item",
     "WorkspaceResult",
     "WorkspaceResultCentroidType0",
     "WorkspaceResultClass",
     "WorkspaceResultFields",
+    "WorkspaceResultType",
     "WorkspaceResultWorkingModeItem",
 )

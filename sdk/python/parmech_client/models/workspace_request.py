@@ -9,6 +9,7 @@ from ..models.workspace_request_class import WorkspaceRequestClass, check_worksp
 from ..models.workspace_request_component import WorkspaceRequestComponent, check_workspace_request_component
 from ..models.workspace_request_fields_item import WorkspaceRequestFieldsItem, check_workspace_request_fields_item
 from ..models.workspace_request_method import WorkspaceRequestMethod, check_workspace_request_method
+from ..models.workspace_request_type import WorkspaceRequestType, check_workspace_request_type
 from ..models.workspace_request_working_mode_type_0_item import (
     WorkspaceRequestWorkingModeType0Item,
     check_workspace_request_working_mode_type_0_item,
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from ..models.grid_axis import GridAxis
     from ..models.hexa_linear import HexaLinear
     from ..models.hexa_rotary import HexaRotary
+    from ..models.orientation_axis import OrientationAxis
     from ..models.planar_3rrr import Planar3RRR
     from ..models.spherical_3rrr import Spherical3RRR
     from ..models.stored_mechanism import StoredMechanism
@@ -45,8 +47,12 @@ class WorkspaceRequest:
     `class` says which conditions a pose must meet: `theoretical` the inverse problem alone;
     `constructive` also the actuator limits and what `constructive` bounds; `effective` also
     what `effective` bounds. Blocks of a higher class than the one asked are allowed, so that
-    one body serves all three, and are not applied. `type` constant_orientation: the
-    conditions hold at the one orientation given in `fixed`.
+    one body serves all three, and are not applied.
+
+    `type` says at which orientations the conditions must hold together: constant_orientation at
+    the one in `fixed`; orientation: these are on the grid, and the position is fixed; maximal at
+    some, full at every one; inclusive_orientation at some, orientation_range at every one of
+    `orientation_range`. Orientations are tried one by one on a grid that the result tells.
 
         Attributes:
             analysis (Literal['workspace']):
@@ -54,7 +60,7 @@ class WorkspaceRequest:
             grid (list[GridAxis]):
             mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
                 HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
-            type_ (Literal['constant_orientation']):
+            type_ (WorkspaceRequestType):
             component (WorkspaceRequestComponent | Unset): home: only what the platform can reach from the pose `home`
                 without det Jx changing its sign; neighbouring nodes share a cell's face. Default: 'all'.
             constructive (Constructive | None | Unset):
@@ -68,6 +74,8 @@ class WorkspaceRequest:
             method (WorkspaceRequestMethod | Unset): geometric: the measure is that of the intersection of the legs'
                 regions, of the whole of it, wherever the grid ends; in the plane so are bounds and centroid, and its boundary
                 is told in arcs. For reach and actuator limits, over all translations. Default: 'grid'.
+            orientation_range (list[OrientationAxis] | Unset): The turns, for the types that need many orientations; for
+                maximal and full only their steps, since they mean the whole turn.
             working_mode (list[WorkspaceRequestWorkingModeType0Item] | None | Unset):
     """
 
@@ -89,7 +97,7 @@ class WorkspaceRequest:
         | StoredMechanism
         | Translational3RRRR
     )
-    type_: Literal["constant_orientation"]
+    type_: WorkspaceRequestType
     component: WorkspaceRequestComponent | Unset = "all"
     constructive: Constructive | None | Unset = UNSET
     effective: Effective | None | Unset = UNSET
@@ -99,6 +107,7 @@ class WorkspaceRequest:
     home: list[float] | None | Unset = UNSET
     inscribed: bool | Unset = False
     method: WorkspaceRequestMethod | Unset = "grid"
+    orientation_range: list[OrientationAxis] | Unset = UNSET
     working_mode: list[WorkspaceRequestWorkingModeType0Item] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
@@ -154,7 +163,7 @@ class WorkspaceRequest:
         else:
             mechanism = self.mechanism.to_dict()
 
-        type_ = self.type_
+        type_: str = self.type_
 
         component: str | Unset = UNSET
         if not isinstance(self.component, Unset):
@@ -204,6 +213,13 @@ class WorkspaceRequest:
         if not isinstance(self.method, Unset):
             method = self.method
 
+        orientation_range: list[dict[str, Any]] | Unset = UNSET
+        if not isinstance(self.orientation_range, Unset):
+            orientation_range = []
+            for orientation_range_item_data in self.orientation_range:
+                orientation_range_item = orientation_range_item_data.to_dict()
+                orientation_range.append(orientation_range_item)
+
         working_mode: list[int] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
@@ -245,6 +261,8 @@ class WorkspaceRequest:
             field_dict["inscribed"] = inscribed
         if method is not UNSET:
             field_dict["method"] = method
+        if orientation_range is not UNSET:
+            field_dict["orientation_range"] = orientation_range
         if working_mode is not UNSET:
             field_dict["working_mode"] = working_mode
 
@@ -264,6 +282,7 @@ class WorkspaceRequest:
         from ..models.grid_axis import GridAxis  # noqa: PLC0415
         from ..models.hexa_linear import HexaLinear  # noqa: PLC0415
         from ..models.hexa_rotary import HexaRotary  # noqa: PLC0415
+        from ..models.orientation_axis import OrientationAxis  # noqa: PLC0415
         from ..models.planar_3rrr import Planar3RRR  # noqa: PLC0415
         from ..models.spherical_3rrr import Spherical3RRR  # noqa: PLC0415
         from ..models.stored_mechanism import StoredMechanism  # noqa: PLC0415
@@ -405,9 +424,7 @@ class WorkspaceRequest:
 
         mechanism = _parse_mechanism(d.pop("mechanism"))
 
-        type_ = cast(Literal["constant_orientation"], d.pop("type"))
-        if type_ != "constant_orientation":
-            raise ValueError(f"type must match const 'constant_orientation', got '{type_}'")
+        type_ = check_workspace_request_type(d.pop("type"))
 
         _component = d.pop("component", UNSET)
         component: WorkspaceRequestComponent | Unset
@@ -494,6 +511,15 @@ class WorkspaceRequest:
         else:
             method = check_workspace_request_method(_method)
 
+        _orientation_range = d.pop("orientation_range", UNSET)
+        orientation_range: list[OrientationAxis] | Unset = UNSET
+        if _orientation_range is not UNSET:
+            orientation_range = []
+            for orientation_range_item_data in _orientation_range:
+                orientation_range_item = OrientationAxis.from_dict(orientation_range_item_data)
+
+                orientation_range.append(orientation_range_item)
+
         def _parse_working_mode(data: object) -> list[WorkspaceRequestWorkingModeType0Item] | None | Unset:
             if data is None:
                 return data
@@ -533,6 +559,7 @@ class WorkspaceRequest:
             home=home,
             inscribed=inscribed,
             method=method,
+            orientation_range=orientation_range,
             working_mode=working_mode,
         )
 

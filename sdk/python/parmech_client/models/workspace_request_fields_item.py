@@ -1,7 +1,7 @@
 from typing import Literal
 
 WorkspaceRequestFieldsItem = Literal[
-    "actuators", "condition_number", "determinant", "effort", "effort_max", "pressure_angle"
+    "actuators", "condition_number", "determinant", "effort", "effort_max", "free_orientation", "pressure_angle"
 ]
 
 WORKSPACE_REQUEST_FIELDS_ITEM_VALUES: set[WorkspaceRequestFieldsItem] = {
@@ -10,6 +10,7 @@ WORKSPACE_REQUEST_FIELDS_ITEM_VALUES: set[WorkspaceRequestFieldsItem] = {
     "determinant",
     "effort",
     "effort_max",
+    "free_orientation",
     "pressure_angle",
 }
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 from attrs import define as _attrs_define
 
 from ..models.workspace_result_class import WorkspaceResultClass, check_workspace_result_class
+from ..models.workspace_result_type import WorkspaceResultType, check_workspace_result_type
 from ..models.workspace_result_working_mode_item import (
     WorkspaceResultWorkingModeItem,
     check_workspace_result_working_mode_item,
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from ..models.excluded import Excluded
     from ..models.inscribed import Inscribed
     from ..models.measure import Measure
+    from ..models.orientations_tried import OrientationsTried
     from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
     from ..models.workspace_result_fields import WorkspaceResultFields
 
@@ -44,8 +46,9 @@ class WorkspaceResult:
         inside (int):
         measure (Measure): Length, area or volume of a workspace.
         nodes (int):
+        orientations (list[OrientationsTried] | None): Null for constant_orientation and orientation.
         shape (list[int]):
-        type_ (Literal['constant_orientation']):
+        type_ (WorkspaceResultType):
         working_mode (list[WorkspaceResultWorkingModeItem]):
     """
 
@@ -62,8 +65,9 @@ class WorkspaceResult:
     inside: int
     measure: Measure
     nodes: int
+    orientations: list[OrientationsTried] | None
     shape: list[int]
-    type_: Literal["constant_orientation"]
+    type_: WorkspaceResultType
     working_mode: list[WorkspaceResultWorkingModeItem]
 
     def to_dict(self) -> dict[str, Any]:
@@ -125,9 +129,19 @@ class WorkspaceResult:
 
         nodes = self.nodes
 
+        orientations: list[dict[str, Any]] | None
+        if isinstance(self.orientations, list):
+            orientations = []
+            for orientations_type_0_item_data in self.orientations:
+                orientations_type_0_item = orientations_type_0_item_data.to_dict()
+                orientations.append(orientations_type_0_item)
+
+        else:
+            orientations = self.orientations
+
         shape = self.shape
 
-        type_ = self.type_
+        type_: str = self.type_
 
         working_mode = []
         for working_mode_item_data in self.working_mode:
@@ -151,6 +165,7 @@ class WorkspaceResult:
                 "inside": inside,
                 "measure": measure,
                 "nodes": nodes,
+                "orientations": orientations,
                 "shape": shape,
                 "type": type_,
                 "working_mode": working_mode,
@@ -167,6 +182,7 @@ class WorkspaceResult:
         from ..models.excluded import Excluded  # noqa: PLC0415
         from ..models.inscribed import Inscribed  # noqa: PLC0415
         from ..models.measure import Measure  # noqa: PLC0415
+        from ..models.orientations_tried import OrientationsTried  # noqa: PLC0415
         from ..models.workspace_result_centroid_type_0 import WorkspaceResultCentroidType0  # noqa: PLC0415
         from ..models.workspace_result_fields import WorkspaceResultFields  # noqa: PLC0415
 
@@ -263,11 +279,29 @@ class WorkspaceResult:
 
         nodes = d.pop("nodes")
 
+        def _parse_orientations(data: object) -> list[OrientationsTried] | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                orientations_type_0 = []
+                _orientations_type_0 = data
+                for orientations_type_0_item_data in _orientations_type_0:
+                    orientations_type_0_item = OrientationsTried.from_dict(orientations_type_0_item_data)
+
+                    orientations_type_0.append(orientations_type_0_item)
+
+                return orientations_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[OrientationsTried] | None, data)
+
+        orientations = _parse_orientations(d.pop("orientations"))
+
         shape = cast(list[int], d.pop("shape"))
 
-        type_ = cast(Literal["constant_orientation"], d.pop("type"))
-        if type_ != "constant_orientation":
-            raise ValueError(f"type must match const 'constant_orientation', got '{type_}'")
+        type_ = check_workspace_result_type(d.pop("type"))
 
         working_mode = []
         _working_mode = d.pop("working_mode")
@@ -290,6 +324,7 @@ class WorkspaceResult:
             inside=inside,
             measure=measure,
             nodes=nodes,
+            orientations=orientations,
             shape=shape,
             type_=type_,
             working_mode=working_mode,

@@ -1,0 +1,233 @@
+"""Types of workspaces: how many orientations must hold, against every orientation tried alone."""
+
+import json
+import math
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+
+import analyses
+from analyses.workspace_setup import set_up
+from mechanics.workspace import reason_codes
+from schemas.analyses import parse_request
+from schemas.workspace import WorkspaceRequest
+from tests.oracles.draws import DRAWS
+
+TURNING = ["planar_3rrr", "custom_planar", "delta_linear_4dof", "custom_schoenflies"]
+SPATIAL = ["gough_stewart", "hexa_rotary"]
+LOW, HIGH = -0.2, 0.4
+MANY = {
+    "full": {},
+    "orientation_range": {"min": LOW, "max": HIGH},
+    "inclusive_orientation": {"min": LOW, "max": HIGH},
+    "maximal": {},
+}
+
+
+def asked(**fields: object) -> WorkspaceRequest:
+    request = parse_request(json.dumps({"analysis": "workspace", **fields}, default=float))
+    analyses.check(request, 10**9)
+    assert isinstance(request, WorkspaceRequest)
+    return request
+
+
+def reasons(request: WorkspaceRequest, cuts: list[int] | None = None) -> npt.NDArray[np.uint8]:
+    size = analyses.plan(request, 1.0).items
+    bounds = cuts or [0, size]
+    tiles = [analyses.compute(request, start, stop) for start, stop in pairwise(bounds)]
+    return np.concatenate([np.repeat(t["codes"], t["lengths"]) for t in tiles])
+
+
+def body(name: str, seed: int, cls: str = "constructive") -> dict[str, Any]:
+    """Return a request's mechanism, class and grid, with stops and an effort limit that bite."""
+    random = np.random.default_rng(seed)
+    draw = DRAWS[name](random)
+    request: dict[str, Any] = {"mechanism": draw.wire, "class": cls}
+    names = places_of(draw.wire)
+    wide = 1.5 * (draw.most - draw.least)[: len(names)]
+    middle = 0.5 * (draw.most + draw.least)[: len(names)]
+    request["grid"] = [
+        {"coordinate": c, "min": m - w, "max": m + w, "step": w / 4.01}
+        for c, m, w in zip(names, middle, wide, strict=True)
+    ]
+    if cls == "effective":
+        request["effective"] = {
+            "load": {"force": 1.0, "moment": 0.1},
+            "max_effort": [3.0] * len(draw.wire.get("legs", [])) or [3.0] * legs_of(draw.wire),
+        }
+    return request
+
+
+def turns_of(wire: dict[str, Any]) -> list[str]:
+    kinds = {"planar_3rrr": ["phi"], "delta_linear_4dof": ["theta"]}
+    motions = {"planar": ["phi"], "schoenflies": ["theta"]}
+    return kinds.get(wire["kind"], motions.get(wire.get("motion", ""), ["rx", "ry", "rz"]))
+
+
+def places_of(wire: dict[str, Any]) -> list[str]:
+    planar = wire["kind"] == "planar_3rrr" or wire.get("motion") == "planar"
+    return ["x", "y"] if planar else ["x", "y", "z"]
+
+
+def legs_of(wire: dict[str, Any]) -> int:
+    return {"planar_3rrr": 3, "delta_linear_4dof": 4}.get(wire["kind"], 6)
+
+
+def alone(request: WorkspaceRequest, document: dict[str, Any]) -> npt.NDArray[np.uint8]:
+    """Return the codes, shape (orientations, nodes), of each orientation asked for by itself."""
+    orientations = set_up(request).orientations
+    assert orientations is not None
+    rows = []
+    for pose in orientations.poses(0, orientations.size).T:
+        names = set_up(request).mechanism.motion.turns
+        fixed = dict(zip(names, pose[-len(names) :], strict=True))
+        rows.append(reasons(asked(**document, type="constant_orientation", fixed=fixed)))
+    return np.array(rows)
+
+
+def told(request: WorkspaceRequest, codes: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
+    """Return what the definition makes of the codes at all orientations."""
+    conditions = set_up(request).conditions
+    meaning = reason_codes(conditions)
+    names = [condition.reason for condition in conditions]
+    rank = np.array([len(names), *(names.index(entry.reason) for entry in meaning)])
+    if request.type in ("full", "orientation_range"):
+        worst = np.where(codes == 0, 255, codes).min(axis=0)
+        return np.where(worst == 255, 0, worst).astype(np.uint8)
+    best = rank[codes].max(axis=0)
+    farthest = np.where(rank[codes] == best, codes, 255).min(axis=0)
+    return farthest.astype(np.uint8)
+
+
+@pytest.mark.parametrize("cls", ["constructive", "effective"])
+@pytest.mark.parametrize("kind", MANY)
+@pytest.mark.parametrize("name", TURNING)
+def test_every_node_is_what_its_orientations_make_it(name: str, kind: str, cls: str) -> None:
+    document = body(name, 3, cls)
+    ranged = [
+        {"coordinate": turn, "step": 0.3, **MANY[kind]} for turn in turns_of(document["mechanism"])
+    ]
+    request = asked(**document, type=kind, orientation_range=ranged)
+    codes = alone(request, document)
+    size = codes.shape[1]
+    assert np.array_equal(reasons(request), told(request, codes))
+    assert np.array_equal(reasons(request, [0, 7, size // 2, size]), told(request, codes))
+
+
+@pytest.mark.parametrize("kind", ["orientation_range", "inclusive_orientation"])
+@pytest.mark.parametrize("name", SPATIAL)
+def test_three_turns(name: str, kind: str) -> None:
+    document = body(name, 5)
+    ranged = [{"coordinate": t, "min": -0.1, "max": 0.2, "step": 0.2} for t in ("rx", "ry", "rz")]
+    request = asked(**document, type=kind, orientation_range=ranged)
+    codes = alone(request, document)
+    assert len(codes) == 27
+    assert np.array_equal(reasons(request), told(request, codes))
+
+
+@pytest.mark.parametrize("name", TURNING)
+def test_types_lie_within_each_other(name: str) -> None:
+    for seed in range(3):
+        document = body(name, seed)
+        turn = turns_of(document["mechanism"])[0]
+        # The orientations of the range are among those of the whole turn.
+        step = math.pi / 20
+        ranges = {"min": -2 * step, "max": 3 * step, "step": step}
+        wholes = {"step": step}
+        inside = {
+            kind: reasons(
+                asked(
+                    **document,
+                    type=kind,
+                    orientation_range=[{"coordinate": turn, **(ranges if MANY[kind] else wholes)}],
+                )
+            )
+            == 0
+            for kind in MANY
+        }
+        constant = reasons(asked(**document, type="constant_orientation", fixed={turn: step})) == 0
+        chain = [
+            inside["full"],
+            inside["orientation_range"],
+            constant,
+            inside["inclusive_orientation"],
+            inside["maximal"],
+        ]
+        for inner, outer in pairwise(chain):
+            assert not np.any(inner & ~outer)
+
+
+def test_free_orientation_is_the_share_that_holds() -> None:
+    document = body("planar_3rrr", 1)
+    request = asked(
+        **document,
+        type="maximal",
+        orientation_range=[{"coordinate": "phi", "step": 0.1}],
+        fields=["free_orientation"],
+    )
+    codes = alone(request, document)
+    share = np.mean(codes == 0, axis=0) * 2.0 * math.pi
+    found = analyses.compute(request, 0, codes.shape[1])["field_free_orientation"]
+    np.testing.assert_allclose(found, share[share > 0.0], rtol=1e-12)
+    assert analyses.answer(request).model_dump()["orientations"][0]["count"] == 63
+
+
+def test_orientations_stand_on_the_grid() -> None:
+    document = body("planar_3rrr", 1)
+    grid = [{"coordinate": "phi", "min": -1.0, "max": 1.0, "step": 0.1}]
+    request = asked(**document | {"grid": grid}, type="orientation", fixed={"x": 0.0, "y": 0.0})
+    found = reasons(request)
+    for k, phi in enumerate(np.arange(21) * 0.1 - 1.0):
+        here = [{"coordinate": c, "min": 0.0, "max": 0.0, "step": 1.0} for c in "xy"]
+        one = document | {"grid": here}
+        assert reasons(asked(**one, type="constant_orientation", fixed={"phi": phi}))[0] == found[k]
+
+
+def turn(**fields: object) -> dict[str, Any]:
+    return {"orientation_range": [{"coordinate": "phi", **fields}]}
+
+
+HELD = {"type": "constant_orientation", "fixed": {"phi": 0.0}}
+RANGE = {"type": "orientation_range"}
+
+
+@pytest.mark.parametrize(
+    ("changes", "place"),
+    [
+        ({"type": "maximal", "fixed": {"phi": 0.0}}, "/fixed/phi"),
+        ({"type": "full"} | turn(coordinate="x"), "/orientation_range/0/coordinate"),
+        ({"type": "full"} | turn(min=0.0, max=1.0), "/orientation_range/0"),
+        ({"type": "inclusive_orientation"}, "/orientation_range"),
+        (RANGE | turn(step=0.1), "/orientation_range/0"),
+        (RANGE | turn(min=1.0, max=0.0), "/orientation_range/0/max"),
+        ({"type": "maximal", "fields": ["determinant"]}, "/fields/0"),
+        (HELD | {"fields": ["free_orientation"]}, "/fields/0"),
+        (HELD | turn(), "/orientation_range"),
+        ({"type": "maximal", "component": "home", "home": [0.0, 0.0, 0.0]}, "/component"),
+        ({"type": "maximal", "method": "geometric"}, "/method"),
+        ({"type": "maximal"} | turn(step=1e-11), "/orientation_range"),
+        ({"type": "maximal"} | turn(step=1e-7), "/grid"),
+        ({"type": "orientation", "fixed": {"phi": 0.0}}, "/grid/0/coordinate"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(changes: dict[str, Any], place: str) -> None:
+    with pytest.raises(analyses.AnalysisError) as error:
+        asked(**body("planar_3rrr", 1) | changes)
+    assert place in [pointer for pointer, _ in error.value.errors]
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "kind"),
+    [("five_bar", "maximal"), ("translational_3rrrr", "orientation"), ("spherical_3rrr", "full")],
+)
+def test_types_need_their_motion(mechanism: str, kind: str) -> None:
+    draw = DRAWS[mechanism](np.random.default_rng(0))
+    first = "rx" if mechanism == "spherical_3rrr" else "x"
+    grid = [{"coordinate": first, "min": 0, "max": 1, "step": 1}]
+    grid = [{"coordinate": first, "min": 0, "max": 1, "step": 1}]
+    with pytest.raises(analyses.AnalysisError) as error:
+        asked(mechanism=draw.wire, type=kind, grid=grid, **{"class": "theoretical"})
+    assert "/type" in [pointer for pointer, _ in error.value.errors]
