@@ -77,12 +77,14 @@ class Effort(Analysis[EffortRequest]):
         poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
         block = Configuration(mechanism, poses)
         load = _load(request, block, start, stop)
+        # Before all else, in the one pass that scans go too: asked later, it would read cofactors.
+        efforts = None if request.load is None else worst_efforts(block, load).T
         found = obstacles(block, pose_conditions(mechanism), start, singular=True)
-        if request.load is None:
+        if efforts is None:
             return {"effort": signed_efforts(block, load).T, **found}
         worst = worst_load(block, load)
         return {
-            "effort": worst_efforts(block, load).T,
+            "effort": efforts,
             "worst_force": np.moveaxis(worst.force, 2, 0),
             "worst_moment": np.moveaxis(worst.moment, 2, 0),
             **found,

@@ -129,6 +129,7 @@ _WORKSPACE = Example(
         "analysis": "workspace",
         "class": "theoretical",
         "type": "constant_orientation",
+        "orientations": None,
         "working_mode": [1, -1],
         "shape": [5, 3],
         "nodes": 15,
@@ -144,6 +145,8 @@ _WORKSPACE = Example(
             {"code": 1, "reason": "reach", "leg": 0, "nodes": 7},
             {"code": 2, "reason": "reach", "leg": 1, "nodes": 2},
         ],
+        "inscribed": None,
+        "boundary": None,
         "fields": {
             "actuators": {
                 # Of the left crank: least at (-0.5, 0), 0.2 m from its base joint.
@@ -151,6 +154,7 @@ _WORKSPACE = Example(
                 "max": math.atan2(0.5, -0.2) + math.acos(math.hypot(0.2, 0.5)),
                 "at_max": {"x": -0.5, "y": 0.5},
                 "unit": "rad",
+                "histogram": None,
             }
         },
     },

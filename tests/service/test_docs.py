@@ -93,6 +93,13 @@ def test_every_declared_error_is_a_problem() -> None:
                 assert list(response.get("content", {})) == ["application/problem+json"], said
 
 
+def without_nulls(value: Any) -> Any:  # noqa: ANN401
+    """Return a JSON value without the members that are null."""
+    if isinstance(value, dict):
+        return {name: without_nulls(part) for name, part in value.items() if part is not None}
+    return [without_nulls(part) for part in value] if isinstance(value, list) else value
+
+
 @pytest.mark.parametrize("path", WITH_ANALYSIS)
 def test_every_analysis_has_an_example(path: str) -> None:
     assert examples(path).keys() == set(ANALYSES)
@@ -103,7 +110,8 @@ def test_an_example_of_the_docs_gives_the_answer_of_the_docs(refusing: Service, 
     answers = committed()["paths"]["/v1/analyses"]["post"]["responses"]["200"]["content"]
     stated = answers["application/json"]["examples"][name]["value"]
     answer = refusing.post("/v1/analyses", examples("/v1/analyses")[name]["value"])
-    assert close(answer.json(), stated)
+    # FastAPI leaves nulls out of what it documents.
+    assert close(without_nulls(answer.json()), without_nulls(stated))
 
 
 @pytest.mark.parametrize("path", WITH_ANALYSIS)
