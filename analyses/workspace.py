@@ -129,7 +129,9 @@ class Workspace(Analysis[WorkspaceRequest]):
             ),
             excluded=_excluded(request, setup, region),
             inscribed=_inscribed(setup, region) if request.inscribed else None,
-            **{"boundary": None} | _extent(setup, region) | geometric_extent(request, setup),
+            **{"boundary": None, "outer_bound": False}
+            | _extent(setup, region)
+            | geometric_extent(request, setup),
         )
 
 

@@ -23,8 +23,10 @@ def geometric_errors(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[t
     if request.method != "geometric":
         return []
     motion = setup.mechanism.motion
-    if request.type != "constant_orientation":
-        return [("/method", f"geometric is of constant_orientation; the type is {request.type}")]
+    plane = set(motion.translations) == set(PLANAR)
+    if request.type != "constant_orientation" and (request.type != "maximal" or not plane):
+        told = "of constant_orientation, and in the plane of maximal"
+        return [("/method", f"geometric is {told}; the type is {request.type}")]
     if {axis.coordinate for axis in setup.grid.axes} != set(motion.translations):
         named = ", ".join(motion.translations)
         return [("/method", f"geometric needs all of {named} on the grid, and no turn")]
@@ -65,6 +67,8 @@ def _prepare(
 ) -> outlines.Outline | shells.ShellRegion | boxes.Reaches:
     mechanism, pose = setup.mechanism, setup.grid.fixed
     limited = request.class_ != "theoretical"
+    if request.type == "maximal":
+        return outlines.maximal_bound(mechanism, limited=limited)
     if set(mechanism.motion.translations) == set(PLANAR):
         return outlines.constant_orientation(mechanism, pose, limited=limited)
     if limited and (mechanism.legs.drive == STRUT).all():
@@ -92,6 +96,7 @@ def _of_outline(outline: outlines.Outline) -> dict[str, Any]:
         ],
         "bounds": [],
         "centroid": None,
+        "outer_bound": outline.is_bound,
     }
     if region.bounds is not None and region.centroid is not None:
         extent["bounds"] = [

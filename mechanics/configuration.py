@@ -9,6 +9,9 @@ from mechanics.kernels import batches, cofactors, efforts, jacobians, legs, pres
 from mechanics.kernels.placing import gather
 from mechanics.mechanism import Mechanism
 
+SINGULAR = 1e-10
+"""A pose counts as of type 2 where the inverse condition number is not above this."""
+
 
 class Configuration:
     """The legs of a mechanism at a block of poses; what nobody asks for is not computed.
@@ -127,10 +130,14 @@ class Configuration:
 
     @cached_property
     def condition_numbers(self) -> Floats:
-        """Of Jx with turns at the characteristic length, shape (poses,); inf where singular."""
+        """Of Jx with turns at the characteristic length, shape (poses,); inf where singular.
+
+        Singular is what has an inverse condition number of `SINGULAR` or less.
+        """
         numbers = self._array()
         scales = self.mechanism.coordinate_scales
         spectra.condition_numbers(self.platform_jacobians, scales, numbers)
+        numbers[numbers >= 1.0 / SINGULAR] = np.inf
         return numbers
 
     @cached_property

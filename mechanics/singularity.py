@@ -8,9 +8,6 @@ from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.configuration import Configuration
 from mechanics.drives import dead_drives
 
-TOLERANCE = 1e-10
-"""A pose counts as of type 2 where the inverse condition number is below this."""
-
 
 class Singularities(NamedTuple):
     """What is known about the singularity of each pose.
@@ -44,11 +41,11 @@ def singularities(block: Configuration) -> Singularities:
     reached = np.all(block.reach >= 0.0, axis=0)
     condition = np.where(reached, block.condition_numbers, np.nan)
     first = np.any(dead_drives(block), axis=0)
-    second = condition >= 1.0 / TOLERANCE
+    second = np.isinf(condition)
     kinds = np.where(reached, first + 2 * second, -1).astype(np.int64)
     return Singularities(
         np.where(reached, block.determinants, np.nan),
-        np.where(second, np.inf, condition),
+        condition,
         kinds,
         block.pressure_angles,
         _free_motions(block, second),

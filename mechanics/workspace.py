@@ -147,7 +147,8 @@ def _walk(
         for test, leg in zip(c.line_tests or (), c.legs, strict=True)
     ]
     numbers = np.array(tests, dtype=np.int64).reshape(-1, 2).T.copy()
-    stretch = LINES * grid.shape[-1]
+    line = grid.shape[-1]
+    stretch = LINES * line
     parts = [
         walk(
             numbers[0],
@@ -156,9 +157,9 @@ def _walk(
             mechanism.motion.kernel,
             grid.kernel,
             first,
-            min(first + stretch, stop),
+            min(first - first % line + stretch, stop),
         )
-        for first in range(start, stop, stretch)
+        for first in (start, *range(start - start % line + stretch, stop, stretch))
     ]
     codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
     return codes, lengths

@@ -146,6 +146,7 @@ _WORKSPACE = Example(
             {"code": 2, "reason": "reach", "leg": 1, "nodes": 2},
         ],
         "inscribed": None,
+        "outer_bound": False,
         "boundary": None,
         "fields": {
             "actuators": {

@@ -373,6 +373,10 @@ class WorkspaceResult(Model):
     component_count: int
     excluded: list[Excluded]
     inscribed: Inscribed | None = Field(description="Null unless asked for.")
+    outer_bound: bool = Field(
+        description="True where measure, bounds and boundary are of a region that holds the "
+        "workspace and may be larger: maximal by the geometric method."
+    )
     boundary: list[list[Arc]] | None = Field(
         description="Closed loops, outer ones counterclockwise, holes clockwise; null unless the "
         "geometric method was asked for in the plane."

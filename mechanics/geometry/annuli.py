@@ -36,7 +36,7 @@ class Annulus:
         if not (numbers and 0.0 <= self.inner <= self.outer):
             raise GeometryError(
                 f"an annulus needs a finite centre and radii 0 <= inner <= outer; "
-                f"given {list(self.centre)}, {self.inner}, {self.outer}"
+                f"given {np.asarray(self.centre).tolist()}, {self.inner}, {self.outer}"
             )
 
     def contains(self, points: Floats) -> Booleans:

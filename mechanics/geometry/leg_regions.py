@@ -152,7 +152,9 @@ def _leg_of(hypotenuse: float, height: float) -> float:
 
 
 def _strut(legs: Legs, leg: int) -> tuple[float, float]:
-    return max(0.0, float(legs.lower_limit[leg])), float(legs.upper_limit[leg])
+    """Return the radii between a strut's stops; two zeros if it is never long enough."""
+    lower, upper = max(0.0, float(legs.lower_limit[leg])), float(legs.upper_limit[leg])
+    return (lower, upper) if upper > 0.0 else (0.0, 0.0)
 
 
 def _only_heights(legs: Legs) -> Floats:

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
-from llvmlite import binding
+from numba.core.codegen import get_host_cpu_features
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -40,7 +40,8 @@ def cpu_features() -> str:
     LLVM halves the registers on processors with AVX-512, lest a little vector code slow the clock
     for all the rest; kernels are nothing but vector code, and half again as fast without that.
     """
-    return f"{binding.get_host_cpu_features().flatten()},-prefer-256-bit"
+    features: str = get_host_cpu_features()  # type: ignore[no-untyped-call]
+    return f"{features},-prefer-256-bit" if "+avx512f" in features else features
 
 
 # Numba reads these when it compiles the first function, so they are set before that.

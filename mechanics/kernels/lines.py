@@ -33,6 +33,8 @@ NOTHING = 2
 
 BLUR = 1e-9
 """A root of less than this share of its terms may be there or not."""
+STRAIGHT = 1e-16
+"""The cosine of an axis that is perpendicular to a line, or its sine if it is parallel."""
 MOST_ENDS = 4
 
 
@@ -105,10 +107,12 @@ def _rail_ends(leg: Numbers, j: int, d: Vector, found: Floats) -> int:
     """Write where c is a rod's length from the rail."""
     s, L = leg.axis, leg.rod_length
     along, left = rail_equation(leg, d[0], d[1], d[2])
-    share = 1.0 - s[j] * s[j]
-    if share <= BLUR:
+    share = s[(j + 1) % 3] * s[(j + 1) % 3] + s[(j + 2) % 3] * s[(j + 2) % 3]
+    if share == 0.0:
         # Along the rail the distance stays.
-        return 0 if abs(left) > 1e-6 * L * L else -1
+        return 0 if abs(left) > BLUR * L * L else -1
+    if share <= BLUR:
+        return -1
     b = (d[j] - along * s[j]) / share
     return _roots(b, b * b + left / share, b * b + (L * L + abs(left)) / share, found, 0)
 
@@ -119,7 +123,8 @@ def _crank_ends(leg: Numbers, j: int, d: Vector, found: Floats) -> int:
     a, r, L = leg.axis, leg.crank_length, leg.rod_length
     height = d[0] * a[0] + d[1] * a[1] + d[2] * a[2]
     square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
-    if abs(a[j]) <= 1e-12:
+    share = a[(j + 1) % 3] * a[(j + 1) % 3] + a[(j + 2) % 3] * a[(j + 2) % 3]
+    if abs(a[j]) <= STRAIGHT:
         left = L * L - height * height
         if abs(left) <= BLUR * L * L:
             return -1
@@ -131,7 +136,7 @@ def _crank_ends(leg: Numbers, j: int, d: Vector, found: Floats) -> int:
         if count < 0:
             return -1
         return _roots(d[j], (r - g) ** 2 - across, (r - g) ** 2 + abs(across), found, count)
-    if abs(a[j]) >= 1.0 - 1e-12:
+    if share <= STRAIGHT * STRAIGHT:
         radius = math.sqrt(max(0.0, square - d[j] * d[j]))
         near, far = (radius - r) ** 2, (radius + r) ** 2
         count = _roots(d[j], L * L - near, L * L + near, found, 0)

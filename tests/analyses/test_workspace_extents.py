@@ -98,6 +98,17 @@ def test_tori_lie_between_proven_bounds() -> None:
     assert proven["error_bound"] < 0.03 * proven["value"]
 
 
+def test_the_maximal_workspace_is_bounded_from_outside() -> None:
+    grid = axes("xy", -0.3, 0.3, 0.005)
+    bound = asked(mechanism=RRR, grid=grid, method="geometric", type="maximal")
+    counted = asked(mechanism=RRR, grid=grid, type="maximal")
+    assert bound["outer_bound"]
+    assert not counted["outer_bound"]
+    # Erastova and Laryushkin take the bound for the workspace; that has 0.1664 m².
+    assert bound["measure"]["value"] == pytest.approx(0.1683, abs=5e-5)
+    assert counted["measure"]["value"] == pytest.approx(0.1664, abs=1e-3)
+
+
 def test_the_geometric_method_says_what_it_cannot_do() -> None:
     grid = axes("xy", -0.3, 0.3, 0.01)
     one_axis = refused(mechanism=RRR, grid=grid[:1], fixed={"y": 0, "phi": 0}, method="geometric")

@@ -95,10 +95,10 @@ def told(request: WorkspaceRequest, codes: npt.NDArray[np.uint8]) -> npt.NDArray
     names = [condition.reason for condition in conditions]
     rank = np.array([len(names), *(names.index(entry.reason) for entry in meaning)])
     if request.type in ("full", "orientation_range"):
-        worst = np.where(codes == 0, 255, codes).min(axis=0)
+        worst: npt.NDArray[np.uint8] = np.where(codes == 0, 255, codes).min(axis=0)
         return np.where(worst == 255, 0, worst).astype(np.uint8)
     best = rank[codes].max(axis=0)
-    farthest = np.where(rank[codes] == best, codes, 255).min(axis=0)
+    farthest: npt.NDArray[np.uint8] = np.where(rank[codes] == best, codes, 255).min(axis=0)
     return farthest.astype(np.uint8)
 
 
@@ -207,7 +207,7 @@ RANGE = {"type": "orientation_range"}
         (HELD | {"fields": ["free_orientation"]}, "/fields/0"),
         (HELD | turn(), "/orientation_range"),
         ({"type": "maximal", "component": "home", "home": [0.0, 0.0, 0.0]}, "/component"),
-        ({"type": "maximal", "method": "geometric"}, "/method"),
+        ({"type": "full", "method": "geometric"}, "/method"),
         ({"type": "maximal"} | turn(step=1e-11), "/orientation_range"),
         ({"type": "maximal"} | turn(step=1e-7), "/grid"),
         ({"type": "orientation", "fixed": {"phi": 0.0}}, "/grid/0/coordinate"),

@@ -119,6 +119,90 @@ def test_lines_that_touch_a_boundary_are_decided_by_their_nodes() -> None:
         assert 0 in by_lines.codes
 
 
+def rail(lean: float, point: list[float], length: float) -> Fields:
+    return {
+        "drive": "rail",
+        "base_point": point,
+        "direction": [lean, 0.0, 1.0],
+        "rod_length": length,
+        "platform_point": [0.0, 0.0, 0.0],
+    }
+
+
+def strut(x: float, y: float) -> Fields:
+    return {"drive": "strut", "base_point": [x, y, 0.0], "platform_point": [0.0, 0.0, 0.0]}
+
+
+def spatial(*legs: Fields) -> Mechanism:
+    return wired({"kind": "custom", "motion": "translation", "legs": list(legs)})
+
+
+def agree(mechanism: Mechanism, *lines: Axis) -> None:
+    grid = Grid(lines, (0, 1, 2), np.zeros(3))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    assert provable(mechanism, conditions, grid) == 2
+    by_lines = scan(mechanism, conditions, grid, {}, 0, grid.size)
+    by_nodes = scan(mechanism, conditions, grid, {}, 0, grid.size, by_lines=False)
+    assert same(by_lines, by_nodes)
+
+
+@pytest.mark.parametrize("lean", [0.0, 1e-9, 1e-7, 1e-6, 1e-5, 1e-3])
+def test_rails_that_lean_off_the_line(lean: float) -> None:
+    mechanism = spatial(rail(lean, [0.0, 0.0, 0.0], 0.2), strut(0.5, 0.0), strut(0.0, 0.5))
+    for x in (0.2, 0.2 - 1e-7, 0.2 + 1e-7):
+        agree(mechanism, Axis("x", x, x, 1.0), Axis("y", 0.0, 0.0, 1.0), Axis("z", -1.0, 1.0, 0.05))
+
+
+@pytest.mark.parametrize("crank", [0.1, 0.3, 0.5])
+@pytest.mark.parametrize("axis", [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [1.0, 0.0, 9e-13]])
+def test_cranks_along_and_across_the_line(crank: float, axis: list[float]) -> None:
+    leg = {
+        "drive": "crank",
+        "base_point": [0.0, 0.0, 0.0],
+        "axis": axis,
+        "zero_direction": [0.0, 1.0, 0.0],
+        "crank_length": crank,
+        "rod_length": 0.5,
+        "platform_point": [0.0, 0.0, 0.0],
+    }
+    mechanism = spatial(leg, strut(2.0, 0.0), strut(0.0, 2.0))
+    agree(
+        mechanism, Axis("x", -0.6, 0.6, 0.06), Axis("y", -1.0, 1.0, 0.1), Axis("z", -1.1, 1.1, 0.01)
+    )
+    edge = 0.5 - 5e-7
+    agree(
+        mechanism,
+        Axis("x", -edge, -edge, 1.0),
+        Axis("y", 0.1, 0.1, 1.0),
+        Axis("z", -9.0, 9.0, 0.01),
+    )
+
+
+@pytest.mark.parametrize("off", [-1e-12, -1e-15, 0.0, 1e-15, 1e-12])
+def test_lines_a_hair_beside_a_sphere(off: float) -> None:
+    wire = {
+        "kind": "custom",
+        "motion": "translation",
+        "legs": [strut(0.0, 0.0), strut(5.0, 0.0), strut(0.0, 5.0)],
+        "actuator_limits": [{"min": 0.25, "max": 1.0}, None, None],
+    }
+    for x in (1.0, 0.25):
+        agree(wired(wire), Axis("x", x + off, x + off, 1.0), Axis("y", 0.0, 0.0, 1.0),
+              Axis("z", -1.0, 1.0, 0.001))  # fmt: skip
+
+
+def test_long_scans_from_within_a_line() -> None:
+    mechanism = spatial(strut(0.0, 0.0), strut(0.5, 0.0), rail(0.0, [0.0, 0.5, 0.0], 0.6))
+    lines = Axis("x", -1.0, 1.0, 0.02), Axis("y", -1.0, 1.0, 0.02), Axis("z", -1.0, 1.0, 0.1)
+    grid = Grid(lines, (0, 1, 2), np.zeros(3))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    found = [
+        scan(mechanism, conditions, grid, {}, 7, grid.size - 5, by_lines=way)
+        for way in (True, False)
+    ]
+    assert same(*found)
+
+
 def test_the_finest_lines_are_left_to_nodes() -> None:
     random = np.random.default_rng(1)
     mechanism = limited(DRAWS["gough_stewart"](random), random)

@@ -47,6 +47,8 @@ class WorkspaceResult:
         measure (Measure): Length, area or volume of a workspace.
         nodes (int):
         orientations (list[OrientationsTried] | None): Null for constant_orientation and orientation.
+        outer_bound (bool): True where measure, bounds and boundary are of a region that holds the workspace and may be
+            larger: maximal by the geometric method.
         shape (list[int]):
         type_ (WorkspaceResultType):
         working_mode (list[WorkspaceResultWorkingModeItem]):
@@ -66,6 +68,7 @@ class WorkspaceResult:
     measure: Measure
     nodes: int
     orientations: list[OrientationsTried] | None
+    outer_bound: bool
     shape: list[int]
     type_: WorkspaceResultType
     working_mode: list[WorkspaceResultWorkingModeItem]
@@ -139,6 +142,8 @@ class WorkspaceResult:
         else:
             orientations = self.orientations
 
+        outer_bound = self.outer_bound
+
         shape = self.shape
 
         type_: str = self.type_
@@ -166,6 +171,7 @@ class WorkspaceResult:
                 "measure": measure,
                 "nodes": nodes,
                 "orientations": orientations,
+                "outer_bound": outer_bound,
                 "shape": shape,
                 "type": type_,
                 "working_mode": working_mode,
@@ -299,6 +305,8 @@ class WorkspaceResult:
 
         orientations = _parse_orientations(d.pop("orientations"))
 
+        outer_bound = d.pop("outer_bound")
+
         shape = cast(list[int], d.pop("shape"))
 
         type_ = check_workspace_result_type(d.pop("type"))
@@ -325,6 +333,7 @@ class WorkspaceResult:
             measure=measure,
             nodes=nodes,
             orientations=orientations,
+            outer_bound=outer_bound,
             shape=shape,
             type_=type_,
             working_mode=working_mode,
