@@ -54,7 +54,7 @@ def numbers(legs: Legs, k: int) -> Numbers:
     )
 
 
-@kernel
+@inlined
 def turned(a: float, b: float, c: float, vector: Vector) -> float:
     """Return one coordinate of a turned vector: a row (a, b, c) of the rotation times it."""
     total: float = multiply_add(a, vector[0], multiply_add(b, vector[1], c * vector[2]))
@@ -71,7 +71,7 @@ def arm(leg: Numbers, rotations: Floats, i: int) -> Vector:
     )
 
 
-@kernel
+@inlined
 def span(leg: Numbers, p: Vector, rho: Vector) -> Vector:
     """Return d = p + rho - A of one leg. [m]"""
     A = leg.base_point

@@ -204,7 +204,8 @@ def test_every_bound_of_the_effective_class_is_named() -> None:
 
 
 def test_every_reason_has_a_price() -> None:
-    assert set(SECONDS_PER_LEG) == set(get_args(Reason))
+    # What home cannot reach is found from runs, not node by node.
+    assert set(SECONDS_PER_LEG) == set(get_args(Reason)) - {"component"}
 
 
 def test_conditions_of_all_legs_name_none() -> None:
