@@ -6,18 +6,20 @@ import numpy as np
 
 from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.errors import AnalysisError
+from analyses.plan import Plan
 from analyses.poses import signs
 from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_home import component_code, home_errors, of_component
-from analyses.workspace_orientations import EVERY, extent, tried, tries
+from analyses.workspace_orientations import EVERY, tried, tries
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import NO_LEG
 from mechanics.orientations import scan_orientations
-from mechanics.workspace import Scan, reason_codes, scan
+from mechanics.sweeps import swept
+from mechanics.workspace import Scan, provable, reason_codes, scan
 from schemas.quantities import Model
 from schemas.workspace import (
     Bounds,
@@ -47,6 +49,12 @@ SECONDS_PER_LEG = {
     "condition_number": 3e-7,
     "actuator_speed": 8e-8,
 }
+SECONDS_BY_LINES = 5e-9
+"""Of a leg's condition that is decided along whole lines."""
+SECONDS_ALL_ROUND = 6e-8
+"""Of a leg's condition that is decided at all angles of a turn at once."""
+SECONDS_PER_ORIENTATION = 3e-4
+"""Of each orientation tried, for every stretch of nodes."""
 FIELD_WORK = {
     "effort": "effort",
     "effort_max": "effort",
@@ -81,13 +89,22 @@ class Workspace(Analysis[WorkspaceRequest]):
     def seconds_per_item(self, request: WorkspaceRequest) -> float:
         """Return the cost of a node that meets every condition. [s]"""
         setup = set_up(request)
-        checked = [condition.reason for condition in setup.conditions]
+        decided, price = _decided_cheaply(setup)
+        checked = [condition.reason for condition in setup.conditions[decided:]]
         # What a block keeps for its condition and its field alike is computed once.
         kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
         names = checked + [name for name in kept if name == "effort" or name not in checked]
-        per_leg = sum(SECONDS_PER_LEG[name] for name in names)
-        once = SECONDS_PER_NODE + setup.mechanism.leg_count * per_leg
-        return once * tries(setup.orientations)
+        per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
+        once = SECONDS_PER_NODE if names or setup.fields else 0.0
+        return (once + setup.mechanism.leg_count * per_leg) * tries(
+            setup.orientations, setup.conditions
+        )
+
+    def plan(self, request: WorkspaceRequest, tile_seconds: float) -> Plan:
+        """Return how the grid is cut, so that what each orientation costs once stays a share."""
+        orientations = set_up(request).orientations
+        once = 0.0 if orientations is None else orientations.grid.size * SECONDS_PER_ORIENTATION
+        return super().plan(request, max(tile_seconds, 3.0 * once))
 
     def seconds(self, request: WorkspaceRequest) -> float:
         """Return the cost of all nodes, and of what is added to them. [s]"""
@@ -135,6 +152,14 @@ class Workspace(Analysis[WorkspaceRequest]):
         )
 
 
+def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
+    """Return how many leading conditions are decided for many nodes at once, at what price. [s]"""
+    orientations = setup.orientations
+    if orientations is not None and orientations.turn is not None:
+        return swept(setup.conditions), SECONDS_ALL_ROUND
+    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
+
+
 def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -> Scan:
     if s.orientations is None:
         return scan(s.mechanism, s.conditions, s.grid, s.fields, start, stop)
@@ -146,7 +171,7 @@ def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -
         start,
         stop,
         every=request.type in EVERY,
-        extent=extent(s.orientations) if request.fields else None,
+        measured=bool(request.fields),
     )
 
 

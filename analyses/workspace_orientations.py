@@ -1,71 +1,125 @@
 """Which orientations a workspace's type runs over, and whether the type makes sense."""
 
 import math
-from collections.abc import Iterator
-
-import numpy as np
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from analyses.errors import pointer
+from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
 from mechanics.motions import Motion
+from mechanics.orientations import Orientations
+from mechanics.sweeps import swept
+from mechanics.turns import Turn
 from schemas.workspace import OrientationAxis, OrientationsTried, WorkspaceRequest
 
 WHOLE = ("maximal", "full")
 EVERY = ("orientation_range", "full")
 MANY = (*WHOLE, "inclusive_orientation", "orientation_range")
 ONE_TURN_STEP, THREE_TURNS_STEP = math.radians(2.0), math.radians(15.0)
+TURN = 2.0 * math.pi
+SPIN = "spin"
+"""The turn of a platform that only turns, about its own z axis: where that points is its place."""
 MIDDLE_TURN = "ry"
 """Of three turns about fixed axes this one needs half a turn only."""
 Complaint = tuple[str, str]
 
 
-def orientations_of(request: WorkspaceRequest, mechanism: Mechanism, fixed: Grid) -> Grid | None:
-    """Return the orientations that a request's type runs over; None for one at a time."""
+def orientations_of(
+    request: WorkspaceRequest, mechanism: Mechanism, fixed: Grid, conditions: Sequence[Condition]
+) -> Orientations | None:
+    """Return the orientations that a request's type runs over; None for one at a time.
+
+    One turn is examined at all of its angles, and so is the last of several if all conditions
+    have closed forms there; else several are a grid.
+    """
     if request.type not in MANY:
         return None
     motion = mechanism.motion
     given = {entry.coordinate: entry for entry in request.orientation_range}
-    names = [name for name in motion.turns if name not in request.fixed]
-    axes = tuple(_axis(name, given.get(name), len(motion.turns)) for name in names)
-    columns = tuple(motion.coordinates.index(name) for name in names)
-    return Grid(axes, columns, fixed.fixed)
+    ranges = [
+        _range(name, given.get(name), len(ranged(motion)))
+        for name in ranged(motion)
+        if name not in request.fixed
+    ]
+    around = len(ranges) == 1 or swept(conditions) == len(conditions)
+    tried = ranges[:-1] if around else ranges
+    columns = tuple(motion.coordinates.index(r.coordinate) for r in tried)
+    grid = Grid(tuple(r.axis for r in tried), columns, fixed.fixed)
+    sizes = [r.size for r in ranges if r.size > 0.0]
+    return Orientations(grid, ranges[-1].turn(motion) if around else None, math.prod(sizes))
 
 
-def _axis(name: str, given: OrientationAxis | None, turns: int) -> Axis:
-    """Return evenly spaced orientations; of a whole turn the first is the last, and left out."""
-    low, high = _whole_turn(name)
-    whole = given is None or given.min is None or given.max is None
-    if given is not None and given.min is not None and given.max is not None:
-        low, high = given.min, given.max
+def ranged(motion: Motion) -> tuple[str, ...]:
+    """Return the turns that the types of many orientations run over."""
+    return motion.turns if motion.translations else (SPIN,)
+
+
+@dataclass(frozen=True)
+class _Range:
+    """What one turn runs over. [rad]"""
+
+    coordinate: str
+    low: float
+    high: float
+    step: float
+    whole: bool
+
+    @property
+    def size(self) -> float:
+        """The size of the range; of a whole turn about an axis its two ends are one."""
+        return self.high - self.low
+
+    @property
+    def axis(self) -> Axis:
+        """Evenly spaced orientations; of a whole turn the first is the last, and left out."""
+        if self.size == 0.0:
+            return Axis(self.coordinate, self.low, self.high, self.step)
+        step = self.size / max(1, math.ceil(self.size / self.step - 1e-9))
+        closed = self.whole and self.coordinate != MIDDLE_TURN
+        return Axis(self.coordinate, self.low + step if closed else self.low, self.high, step)
+
+    def turn(self, motion: Motion) -> Turn:
+        """Return the turn at all angles of which conditions are asked."""
+        own = self.coordinate
+        column = None if own == SPIN else motion.coordinates.index(own)
+        return Turn(motion, own, column, self.low, self.high, self.step)
+
+
+def _range(name: str, given: OrientationAxis | None, turns: int) -> _Range:
     asked = None if given is None else given.step
-    largest = asked or (ONE_TURN_STEP if turns == 1 else THREE_TURNS_STEP)
-    count = max(1, math.ceil((high - low) / largest - 1e-9))
-    step = (high - low) / count
-    if high == low:
-        return Axis(name, low, high, largest)
-    closed = whole and name != MIDDLE_TURN
-    return Axis(name, low + step if closed else low, high, step)
+    step = asked or (ONE_TURN_STEP if turns == 1 else THREE_TURNS_STEP)
+    if given is None or given.min is None or given.max is None:
+        return _Range(name, *_whole_turn(name), step, whole=True)
+    return _Range(name, given.min, given.max, step, whole=False)
 
 
 def _whole_turn(name: str) -> tuple[float, float]:
     return (-0.5 * math.pi, 0.5 * math.pi) if name == MIDDLE_TURN else (-math.pi, math.pi)
 
 
-def tried(orientations: Grid | None) -> list[OrientationsTried] | None:
+def tried(orientations: Orientations | None) -> list[OrientationsTried] | None:
     """Return what the result says of the orientations."""
     if orientations is None:
         return None
-    return [
-        OrientationsTried.model_construct(
-            coordinate=axis.coordinate,
-            min=axis.minimum,
-            max=axis.maximum,
-            step=axis.step,
-            count=axis.count,
-        )
-        for axis in orientations.axes
-    ]
+    told = [_told(axis, all_angles=False) for axis in orientations.grid.axes]
+    turn = orientations.turn
+    if turn is None:
+        return told
+    axis = Axis(turn.coordinate, turn.low, turn.high, turn.step)
+    return [*told, _told(axis, all_angles=True)]
+
+
+def _told(axis: Axis, *, all_angles: bool) -> OrientationsTried:
+    return OrientationsTried.model_construct(
+        coordinate=axis.coordinate,
+        min=axis.minimum,
+        max=axis.maximum,
+        step=axis.step,
+        count=None if all_angles else axis.count,
+        all_angles=all_angles,
+    )
 
 
 def orientation_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[Complaint]:
@@ -73,8 +127,6 @@ def orientation_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
     motion = mechanism.motion
     if request.type != "constant_orientation" and not motion.turns:
         return [("/type", f"{request.type} needs a platform that turns; this one does not")]
-    if request.type in MANY and not motion.translations:
-        return [("/type", f"{request.type} needs a platform that moves; this one only turns")]
     return [
         *_range_errors(request, motion),
         *_field_errors(request),
@@ -90,32 +142,44 @@ def _range_errors(request: WorkspaceRequest, motion: Motion) -> Iterator[Complai
     if request.orientation_range and request.type not in MANY:
         yield "/orientation_range", f"the type {request.type} has no range of orientations"
         return
+    names = [entry.coordinate for entry in request.orientation_range]
     for k, entry in enumerate(request.orientation_range):
         place = ("orientation_range", k)
-        if entry.coordinate not in motion.turns:
-            allowed = ", ".join(motion.turns)
+        if entry.coordinate not in ranged(motion):
+            allowed = ", ".join(ranged(motion))
             yield pointer(*place, "coordinate"), f"given {entry.coordinate!r}; allowed: {allowed}"
-        if [e.coordinate for e in request.orientation_range].index(entry.coordinate) < k:
+        if names.index(entry.coordinate) < k:
             yield pointer(*place, "coordinate"), f"{entry.coordinate!r} has a range already"
-        if request.type in WHOLE and (entry.min, entry.max) != (None, None):
-            yield pointer(*place), f"{request.type} means the whole turn; give its step only"
-        if request.type not in WHOLE and (entry.min is None or entry.max is None):
-            yield pointer(*place), "needs min and max"
-        elif entry.min is not None and entry.max is not None and entry.max < entry.min:
-            yield pointer(*place, "max"), f"must not be below min, which is {entry.min}"
+        yield from _end_errors(request, entry, place)
     yield from _missing_turns(request, motion)
+
+
+def _end_errors(
+    request: WorkspaceRequest, entry: OrientationAxis, place: tuple[str, int]
+) -> Iterator[Complaint]:
+    if request.type in WHOLE and (entry.min, entry.max) != (None, None):
+        yield pointer(*place), f"{request.type} means the whole turn; give its step only"
+    if request.type in WHOLE:
+        return
+    if entry.min is None or entry.max is None:
+        yield pointer(*place), "needs min and max"
+    elif entry.max < entry.min:
+        yield pointer(*place, "max"), f"must not be below min, which is {entry.min}"
+    elif entry.max - entry.min > TURN:
+        detail = f"must be at most a turn above min, {entry.min + TURN:.6g}; given {entry.max}"
+        yield pointer(*place, "max"), detail
 
 
 def _missing_turns(request: WorkspaceRequest, motion: Motion) -> Iterator[Complaint]:
     if request.type not in MANY:
         return
-    ranged = {entry.coordinate for entry in request.orientation_range}
-    for name in motion.turns:
+    names = {entry.coordinate for entry in request.orientation_range}
+    for name in ranged(motion):
         if name in request.fixed and request.type in WHOLE:
             yield pointer("fixed", name), f"{request.type} runs over all of {name!r}"
-        elif name in request.fixed and name in ranged:
+        elif name in request.fixed and name in names:
             yield pointer("fixed", name), f"{name!r} has a range already"
-        elif request.type not in WHOLE and name not in request.fixed and name not in ranged:
+        elif request.type not in WHOLE and name not in request.fixed and name not in names:
             yield "/orientation_range", f"{name!r} has no range and is not fixed"
 
 
@@ -126,17 +190,11 @@ def _field_errors(request: WorkspaceRequest) -> Iterator[Complaint]:
             yield pointer("fields", k), f"the type {request.type} {told}; it has no {name}"
 
 
-def extent(orientations: Grid) -> float:
-    """Return the size of the range that orientations stand for. [rad to the number of turns]"""
-    sizes = []
-    for axis in orientations.axes:
-        turn = _whole_turn(axis.coordinate)
-        closed = axis.maximum == turn[1] and abs(axis.minimum - axis.step - turn[0]) < 1e-9
-        low = turn[0] if closed and axis.coordinate != MIDDLE_TURN else axis.minimum
-        sizes.append(axis.maximum - low)
-    return float(np.prod([size for size in sizes if size > 0.0]))
-
-
-def tries(orientations: Grid | None) -> int:
-    """Return at how many orientations each node is tried."""
-    return 1 if orientations is None else orientations.size
+def tries(orientations: Orientations | None, conditions: Sequence[Condition]) -> int:
+    """Return at how many orientations each node is tried; all angles in closed form are one."""
+    if orientations is None:
+        return 1
+    turn = orientations.turn
+    if turn is None or swept(conditions) == len(conditions):
+        return orientations.grid.size
+    return orientations.grid.size * (1 + math.ceil((turn.high - turn.low) / turn.step))

@@ -11,11 +11,18 @@ from analyses.errors import AnalysisError, pointer
 from analyses.mechanisms import build
 from analyses.units import determinant_unit, drive_units, effort_units, power_unit, shared_unit
 from analyses.workspace_bounds import bound_errors, conditions_of, load_of
-from analyses.workspace_orientations import MANY, orientation_errors, orientations_of, tries
+from analyses.workspace_orientations import (
+    MANY,
+    orientation_errors,
+    orientations_of,
+    ranged,
+    tries,
+)
 from mechanics import fields as kept
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
+from mechanics.orientations import Orientations
 from schemas.workspace import WorkspaceRequest
 
 
@@ -27,7 +34,7 @@ class WorkspaceSetup:
     grid: Grid
     conditions: tuple[Condition, ...]
     fields: Mapping[str, kept.Field]
-    orientations: Grid | None
+    orientations: Orientations | None
     """Those that each node is tried at; None: the one of its pose."""
 
 
@@ -39,13 +46,9 @@ def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     columns = tuple(coordinates.index(axis.coordinate) for axis in axes)
     fixed = np.array([request.fixed.get(c, 0.0) for c in coordinates])
     grid = Grid(axes, columns, fixed)
-    return WorkspaceSetup(
-        mechanism,
-        grid,
-        conditions_of(request, mechanism),
-        fields_of(request),
-        orientations_of(request, mechanism, grid),
-    )
+    conditions = conditions_of(request, mechanism)
+    orientations = orientations_of(request, mechanism, grid, conditions)
+    return WorkspaceSetup(mechanism, grid, conditions, fields_of(request), orientations)
 
 
 def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
@@ -83,13 +86,15 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
     allowed = ", ".join(motion.coordinates)
     errors = []
     seen: set[str] = set()
+    # The place of a platform that only turns is where it points.
+    turning = request.type == "orientation" or not motion.translations
     for k, axis in enumerate(request.grid):
         place = f"/grid/{k}/coordinate"
         if axis.coordinate not in motion.coordinates:
             errors.append((place, f"given {axis.coordinate!r}; allowed: {allowed}"))
         elif axis.coordinate in seen:
             errors.append((place, f"{axis.coordinate!r} has an axis already"))
-        elif (axis.coordinate in motion.turns) != (request.type == "orientation"):
+        elif (axis.coordinate in motion.turns) != turning:
             does = "turns" if axis.coordinate in motion.turns else "moves"
             detail = f"{axis.coordinate!r} {does} the platform, and the type is {request.type}"
             errors.append((place, detail))
@@ -99,7 +104,8 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
             errors.append((pointer("fixed", name), f"given {name!r}; allowed: {allowed}"))
         elif name in seen:
             errors.append((f"/fixed/{name}", f"{name!r} is on the grid already"))
-    needed = motion.translations if request.type in MANY else motion.coordinates
+    places = motion.translations or motion.coordinates
+    needed = places if request.type in MANY else motion.coordinates
     missing = [c for c in needed if c not in seen and c not in request.fixed]
     errors += [
         (f"/fixed/{name}", f"{name!r} is neither on the grid nor fixed; give its value")
@@ -113,7 +119,8 @@ def _size_errors(
 ) -> list[tuple[str, str]]:
     axes = [Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid]
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
-    many = tries(set_up(request).orientations) if request.type in MANY else 1
+    setup = set_up(request)
+    many = tries(setup.orientations, setup.conditions)
     if nodes * many <= node_limit:
         return []
     if many > 1:
@@ -167,6 +174,6 @@ def field_units(request: WorkspaceRequest, mechanism: Mechanism) -> dict[str, st
         "condition_number": "-",
         "pressure_angle": "rad",
         "actuators": shared_unit(drive_units(mechanism)),
-        "free_orientation": power_unit(["rad"] * len(mechanism.motion.turns)),
+        "free_orientation": power_unit(["rad"] * len(ranged(mechanism.motion))),
     }
     return {name: units[name] for name in request.fields}

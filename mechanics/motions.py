@@ -1,6 +1,7 @@
 """Motions: which coordinates a platform's pose has, and which twists it can follow."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -35,12 +36,12 @@ class Motion:
     turning: int
     axis: Floats
 
-    @property
+    @cached_property
     def translations(self) -> tuple[str, ...]:
         """The coordinates that move the reference point. [m]"""
         return tuple(c for c, v in zip(self.coordinates, self.twists[:3].T, strict=True) if v.any())
 
-    @property
+    @cached_property
     def turns(self) -> tuple[str, ...]:
         """The coordinates that turn the platform. [rad]"""
         return tuple(c for c in self.coordinates if c not in self.translations)
@@ -107,3 +108,22 @@ def schoenflies(axis: Floats) -> Motion:
     twists[:3, :3] = np.eye(3)
     twists[3:, 3] = unit
     return Motion("schoenflies", ("x", "y", "z", "theta"), twists, TURNING_ABOUT_AXIS, unit)
+
+
+def fixed_axes_angles(rotations: Floats) -> Floats:
+    """Return rx, ry and rz, shape (3, poses), of R = Rz Ry Rx; rx is 0 where ry is +-pi/2. [rad]
+
+    Parameters
+    ----------
+    rotations : array, shape (3, 3, poses).
+    """
+    cosine = np.hypot(rotations[0, 0], rotations[1, 0])
+    upright = cosine < 1e-12
+    rx = np.where(upright, 0.0, np.arctan2(rotations[2, 1], rotations[2, 2]))
+    ry = np.arctan2(-rotations[2, 0], cosine)
+    rz = np.where(
+        upright,
+        np.arctan2(-rotations[0, 1], rotations[1, 1]),
+        np.arctan2(rotations[1, 0], rotations[0, 0]),
+    )
+    return np.stack([rx, ry, rz])

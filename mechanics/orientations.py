@@ -1,7 +1,7 @@
 """Workspaces over many orientations: where conditions hold at some of them, or at every one."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,22 +10,41 @@ from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
+from mechanics.sweeps import Sweep
+from mechanics.turns import Turn
 from mechanics.workspace import INSIDE, Scan, line_runs, provable, scan
 
 UNSEEN = 255
 """The code of a node before its first orientation: none is as high."""
 
 
+@dataclass(frozen=True)
+class Orientations:
+    """The orientations that a workspace's type runs over.
+
+    Parameters
+    ----------
+    grid : a grid of turns of the platform, each orientation tried by itself; it may have no axes.
+        Its `fixed` is that of the positions' grid.
+    turn : one more turn, over all of its angles, together with each orientation of the grid.
+    extent : the size of the whole range. [rad to the number of turns]
+    """
+
+    grid: Grid
+    turn: Turn | None
+    extent: float
+
+
 def scan_orientations(
     mechanism: Mechanism,
     conditions: Sequence[Condition],
     grid: Grid,
-    orientations: Grid,
+    orientations: Orientations,
     start: int,
     stop: int,
     *,
     every: bool,
-    extent: float | None,
+    measured: bool,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` belong at some, or at every, orientation.
 
@@ -36,29 +55,36 @@ def scan_orientations(
     Parameters
     ----------
     grid : positions; what its `fixed` says of turns does not matter.
-    orientations : a grid over turns of the platform, whose `fixed` is that of `grid`.
     every : at every orientation, not at some.
-    extent : size of the range that the orientations stand for; the field `free_orientation` is
-        the share of it at which the conditions hold. None: the field is not kept.
-        [rad to the number of turns]
+    measured : whether the field `free_orientation` is kept, the size of the part of the range at
+        which the conditions hold. [rad to the number of turns]
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
-    held = np.zeros(stop - start, np.int64)
+    held = np.zeros(stop - start)
     ranks = _ranks(conditions)
     dear = 1 + sum(len(c.legs) for c in conditions[: provable(mechanism, conditions, grid)])
-    for o in range(orientations.size):
-        turned = replace(grid, fixed=orientations.poses(o, o + 1)[:, 0])
-        among = None if extent is not None else _open(codes, dear, every)
-        found = scan(mechanism, conditions, turned, {}, start, stop, among=among)
-        if every:
-            at_every(found.codes, found.lengths, codes, held)
+    for o in range(orientations.grid.size):
+        turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
+        if orientations.turn is None:
+            among = None if measured else _open(codes, dear, every)
+            found = scan(mechanism, conditions, turned, {}, start, stop, among=among)
+            fresh = np.repeat(found.codes, found.lengths)
+            sizes = (fresh == INSIDE).astype(np.float64)
         else:
-            at_some(found.codes, found.lengths, ranks, codes, held)
+            fresh = np.full(codes.size, INSIDE if every else UNSEEN, np.uint8)
+            sizes = np.zeros(codes.size)
+            asked = np.flatnonzero(_undecided(codes, every, measured))
+            sweep = Sweep(mechanism, conditions, turned, orientations.turn, every, measured)
+            fresh[asked], sizes[asked] = sweep.verdicts(start + asked)
+        if every:
+            at_every(fresh, sizes, codes, held)
+        else:
+            at_some(fresh, sizes, ranks, codes, held)
     values, lengths = line_runs(codes, start, grid.shape[-1])
-    if extent is None:
+    if not measured:
         return Scan(values, lengths, {})
-    share = held[codes == INSIDE] * (extent / orientations.size)
-    return Scan(values, lengths, {"free_orientation": share})
+    share = orientations.extent / orientations.grid.size
+    return Scan(values, lengths, {"free_orientation": held[codes == INSIDE] * share})
 
 
 def _open(codes: Bytes, dear: int, every: bool) -> Booleans:
@@ -68,6 +94,14 @@ def _open(codes: Bytes, dear: int, every: bool) -> Booleans:
         return undecided
     missing: Booleans = codes != INSIDE
     return missing
+
+
+def _undecided(codes: Bytes, every: bool, measured: bool) -> Booleans:
+    """Return which nodes another orientation can still change."""
+    # The first code cannot become an earlier one.
+    settled = codes == 1 if every else (codes == INSIDE) & (not measured)
+    open_: Booleans = ~settled
+    return open_
 
 
 def _ranks(conditions: Sequence[Condition]) -> Floats:

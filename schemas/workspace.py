@@ -196,7 +196,10 @@ class WorkspaceRequest(Model):
     `type` says at which orientations the conditions must hold together: constant_orientation at
     the one in `fixed`; orientation: these are on the grid, and the position is fixed; maximal at
     some, full at every one; inclusive_orientation at some, orientation_range at every one of
-    `orientation_range`. Orientations are tried one by one on a grid that the result tells.
+    `orientation_range`. Of one turn all angles count; of three, all angles of the last, if only
+    reach, actuator limits and angles between crank and rod are asked, with a grid of the others,
+    else a grid of all three, which the result tells. The position of a spherical mechanism is
+    where its platform's z axis points, and its one turn is the `spin` about that.
     """
 
     analysis: Literal["workspace"]
@@ -267,8 +270,15 @@ class OrientationsTried(Model):
     coordinate: str
     min: float
     max: float
-    step: float
-    count: int
+    step: float = Field(
+        description="Between those tried; of all angles, between those at which conditions "
+        "without closed forms are looked at before the ends of their arcs are sought."
+    )
+    count: int | None = Field(description="Null for all angles.")
+    all_angles: bool = Field(
+        description="Whether all angles count, not those a step apart: arcs in closed form, or "
+        "with ends to 1e-9 rad."
+    )
 
 
 class Bounds(Model):

@@ -50,6 +50,8 @@ class Pulse:
 
     def __enter__(self) -> Self:
         """Start to beat."""
+        # Workers may have compiled for minutes since this was made.
+        self._turned = time.monotonic()
         self._thread.start()
         return self
 

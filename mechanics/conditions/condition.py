@@ -1,5 +1,6 @@
 """What a condition of a workspace is."""
 
+import math
 from abc import ABC, abstractmethod
 from typing import NamedTuple
 
@@ -8,6 +9,17 @@ from mechanics.configuration import Configuration
 
 NO_LEG = -1
 """The leg of a part that all legs make together."""
+
+
+class TurnTest(NamedTuple):
+    """A test that decides a part at all angles of a turn (`kernels.sweeps`).
+
+    The last two bound |d|^2, where the test is one of that. [m^2]
+    """
+
+    test: int
+    least: float = -math.inf
+    greatest: float = math.inf
 
 
 class Breach(NamedTuple):
@@ -27,6 +39,10 @@ class Condition(ABC):
     legs: tuple[int, ...]
     line_tests: tuple[int, ...] | None = None
     """The test of each part that decides it along whole lines (`kernels.lines`), if there are."""
+    turn_tests: tuple[TurnTest, ...] | None = None
+    """The test of each part that decides it at all angles of a turn, if there are."""
+    fails_at_singularities: bool = False
+    """Whether it fails near every pose at which det Jx is 0, however near that is."""
 
     @abstractmethod
     def check(self, block: Configuration) -> Floats:

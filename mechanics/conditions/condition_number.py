@@ -13,6 +13,7 @@ class ConditionNumber(Condition):
     """
 
     reason = "condition_number"
+    fails_at_singularities = True
     legs = (NO_LEG,)
 
     def __init__(self, limit: float) -> None:

@@ -4,8 +4,9 @@ import numpy as np
 
 from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
-from mechanics.conditions.condition import Breach, Condition
+from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
+from mechanics.kernels import sweeps
 from mechanics.legs import ARC_JOINTS, CRANK
 from mechanics.mechanism import Mechanism
 
@@ -25,6 +26,7 @@ class CrankRodAngle(Condition):
         self.legs = tuple(legs_with_elbows(mechanism))
         self._lower = lower
         self._upper = upper
+        self.turn_tests = tuple(self._turn_test(mechanism, k) for k in self.legs)
 
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its bounds each elbow's angle is. [rad]"""
@@ -33,6 +35,17 @@ class CrankRodAngle(Condition):
     def explain(self, block: Configuration) -> Breach:
         """Return the elbows' angles and the bounds nearest to them. [rad]"""
         return nearest_bound(self._angles(block), self._lower, self._upper)
+
+    def _turn_test(self, mechanism: Mechanism, k: int) -> TurnTest:
+        crank, rod = mechanism.legs.crank_length[k], mechanism.legs.rod_length[k]
+
+        def square(angle: float) -> float:
+            return float(crank**2 + rod**2 - 2.0 * crank * rod * np.cos(angle))
+
+        # What no elbow can pass is left out: rounding has no say in it.
+        least = square(self._lower) if self._lower > 0.0 else -np.inf
+        greatest = square(self._upper) if self._upper < np.pi else np.inf
+        return TurnTest(sweeps.SPAN, least, greatest)
 
     def _angles(self, block: Configuration) -> Floats:
         # By the law of cosines in the triangle A, B, c: the same in both working modes.

@@ -15,6 +15,7 @@ class Determinant(Condition):
     """
 
     reason = "determinant"
+    fails_at_singularities = True
     legs = (NO_LEG,)
 
     def __init__(self, limit: float) -> None:

@@ -14,6 +14,7 @@ class Effort(Condition):
     """The greatest effort of each drive is at most its limit, shape (legs,). [N m or N]"""
 
     reason = "effort"
+    fails_at_singularities = True
 
     def __init__(self, mechanism: Mechanism, load: Load, limits: Floats) -> None:
         self.legs = tuple(range(mechanism.leg_count))

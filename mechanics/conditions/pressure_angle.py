@@ -11,6 +11,7 @@ class PressureAngle(Condition):
     """The pressure angle of each drive is at most a limit. [rad]"""
 
     reason = "pressure_angle"
+    fails_at_singularities = True
 
     def __init__(self, mechanism: Mechanism, limit: float) -> None:
         self.legs = tuple(range(mechanism.leg_count))

@@ -97,11 +97,21 @@ def grid_poses(
     Coordinates that no axis drives keep their value in `fixed`.
     """
     poses = np.empty((fixed.size, nodes.size))
-    pose = fixed.copy()
+    for k in range(fixed.size):
+        poses[k] = fixed[k]
+    at = np.zeros(shape.size, np.int64)
+    last = shape.size - 1
     for i in range(nodes.size):
-        write_pose(nodes[i], minima, steps, shape, columns, pose)
-        for k in range(fixed.size):
-            poses[k, i] = pose[k]
+        if last >= 0 and i > 0 and nodes[i] == nodes[i - 1] + 1 and at[last] + 1 < shape[last]:
+            at[last] += 1
+        else:
+            # Only where a line begins is a node taken apart.
+            rest = nodes[i]
+            for a in range(last, -1, -1):
+                at[a] = rest % shape[a]
+                rest //= shape[a]
+        for a in range(last + 1):
+            poses[columns[a], i] = minima[a] + at[a] * steps[a]
     return poses
 
 
