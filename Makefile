@@ -11,7 +11,7 @@ STAMP := $(VENV)/.installed
 CLIENT := $(wildcard sdk/python/pyproject.toml)
 
 .DEFAULT_GOAL := help
-.PHONY: help venv serve demo test lint format types contracts tests bench openapi sdk clean
+.PHONY: help venv serve demo pictures test lint format types contracts tests bench openapi sdk clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-10s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -35,6 +35,9 @@ serve: $(STAMP) ## Serve on HOST=127.0.0.1 PORT=8000, keeping everything in DATA
 
 demo: $(STAMP) ## Run the papers' two examples through HTTP; pictures and grids go to out/
 	$(BIN)/python examples/demo.py
+
+pictures: $(STAMP) ## Draw the papers' figures through HTTP again, into examples/pictures/
+	$(BIN)/python examples/papers.py
 
 test: lint types contracts tests ## Lint, types, import contracts, tests
 

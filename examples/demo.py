@@ -5,13 +5,7 @@ the published figures beside the computed ones. Exits 1 if one of them is wrong.
 """
 
 import math
-import os
-import re
-import subprocess
 import sys
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,8 +13,9 @@ from typing import Any
 import httpx
 import numpy as np
 
+from examples.serving import ask, fetch, preset, result_of, run_job, server
+
 OUT = Path("out")
-PARMECH = Path(sys.executable).parent / "parmech"
 
 # Laryushkin, Glazunov, Erastova, 2016: every node of a 1 mm grid at phi = 0.
 PUBLISHED_NODES = 160_725
@@ -39,70 +34,19 @@ class Finding:
     right: bool
 
 
-@contextmanager
-def server() -> Iterator[httpx.Client]:
-    """Yield a client of a server that runs on a free port until the end."""
-    with tempfile.TemporaryDirectory() as data:
-        command = [str(PARMECH), "serve", "--port", "0", "--data", data]
-        # Settings of another server on this machine are not for ours.
-        own = {name: value for name, value in os.environ.items() if "PARMECH_" not in name}
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=own)
-        try:
-            print("starting the server; the first start compiles kernels, later ones load them")
-            with httpx.Client(base_url=_address(process), timeout=120.0) as client:
-                yield client
-        finally:
-            process.terminate()
-            process.wait(timeout=30)
-
-
-def _address(process: subprocess.Popen[str]) -> str:
-    assert process.stdout is not None
-    for line in process.stdout:
-        found = re.search(r"ready at (http://\S+)", line)
-        if found:
-            return found.group(1)
-    raise SystemExit("the server did not start")
-
-
-def run_job(client: httpx.Client, name: str, request: dict[str, Any]) -> dict[str, Any]:
-    """Run a workspace job, show its progress, fetch grid and figure, return the result."""
-    submitted = client.post("/v1/jobs", json=request)
-    submitted.raise_for_status()
-    links = submitted.json()["links"]
-    job = submitted.json()
-    while job["state"] in ("accepted", "running"):
-        job = client.get(links["self"], params={"wait": 0.2}).raise_for_status().json()
-        _show_progress(name, job)
-    print()
-    if job["state"] != "successful":
-        raise SystemExit(f"{name}: {job['state']}: {job['error']}")
-    for link, ending, options in (("grid", "npz", {}), ("figure", "png", {"format": "png"})):
-        answer = client.get(links[link], params=options)
-        answer.raise_for_status()
-        (OUT / f"{name}.{ending}").write_bytes(answer.content)
-    result: dict[str, Any] = client.get(links["result"]).json()
-    return result
-
-
-def _show_progress(name: str, job: dict[str, Any]) -> None:
-    fraction = job["progress"]["fraction"]
-    bar = "#" * round(30 * fraction)
-    print(f"\r{name:28} [{bar:30}] {fraction:4.0%} {job['state']}", end="", flush=True)
-
-
-def preset(client: httpx.Client, kind: str, name: str) -> dict[str, Any]:
-    """Return the mechanism of a preset."""
-    presets = client.get(f"/v1/kinds/{kind}").json()["presets"]
-    mechanism: dict[str, Any] = next(p["mechanism"] for p in presets if p["name"] == name)
-    return mechanism
+def run(client: httpx.Client, name: str, request: dict[str, Any]) -> dict[str, Any]:
+    """Run a workspace job, write its grid and figure, return its result."""
+    job = run_job(client, name, request)
+    (OUT / f"{name}.npz").write_bytes(fetch(client, job, "grid"))
+    (OUT / f"{name}.png").write_bytes(fetch(client, job, "figure", format="png"))
+    return result_of(client, job)
 
 
 def planar_3rrr(client: httpx.Client) -> list[Finding]:
     """Return the findings on the 3-RRR: its nodes, and efforts from grid and direct answer."""
     mechanism = preset(client, "planar_3rrr", "planar_3rrr_2016")
     name = "planar_3rrr_theoretical"
-    result = run_job(
+    result = run(
         client,
         name,
         {
@@ -125,8 +69,7 @@ def planar_3rrr(client: httpx.Client) -> list[Finding]:
         "poses": [[-0.3 + 300 * 0.001, -0.3 + 300 * 0.001, 0.0]],
         "load": {"force": 10.0},
     }
-    answer = client.post("/v1/analyses", json=request).raise_for_status()
-    direct = answer.json()["effort"][0]
+    direct = ask(client, request)["effort"][0]
     return [
         Finding(
             "3-RRR, phi = 0, 1 mm: nodes inside",
@@ -163,7 +106,7 @@ def five_bar(client: httpx.Client) -> list[Finding]:
     for name in ("theoretical", "constructive", "effective"):
         fields = [] if name == "theoretical" else ["effort_max"]
         asked = {**request, "class": name, "fields": fields}
-        results[name] = run_job(client, f"five_bar_{name}", asked)
+        results[name] = run(client, f"five_bar_{name}", asked)
     torque = results["constructive"]["fields"]["effort_max"]["max"]
     inside = [results[name]["inside"] for name in ("effective", "constructive", "theoretical")]
     return [
