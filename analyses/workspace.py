@@ -17,8 +17,10 @@ from analyses.workspace_setup import WorkspaceSetup, check_request, field_units,
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import NO_LEG
+from mechanics.mechanism import Mechanism
 from mechanics.orientations import scan_orientations
 from mechanics.sweeps import swept
+from mechanics.unions import union
 from mechanics.workspace import Scan, provable, reason_codes, scan
 from schemas.quantities import Model
 from schemas.workspace import (
@@ -96,9 +98,8 @@ class Workspace(Analysis[WorkspaceRequest]):
         names = checked + [name for name in kept if name == "effort" or name not in checked]
         per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
         once = SECONDS_PER_NODE if names or setup.fields else 0.0
-        return (once + setup.mechanism.leg_count * per_leg) * tries(
-            setup.orientations, setup.conditions
-        )
+        many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
+        return (once + setup.mechanism.leg_count * per_leg) * many
 
     def plan(self, request: WorkspaceRequest, tile_seconds: float) -> Plan:
         """Return how the grid is cut, so that what each orientation costs once stays a share."""
@@ -138,7 +139,7 @@ class Workspace(Analysis[WorkspaceRequest]):
             class_=request.class_,
             type=request.type,
             orientations=tried(setup.orientations),
-            working_mode=signs(setup.mechanism.legs.working_mode),
+            working_mode=_mode(request, setup),
             shape=list(setup.grid.shape),
             nodes=setup.grid.size,
             fields=summaries.answer(
@@ -161,10 +162,17 @@ def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
 
 
 def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -> Scan:
+    scans = [_scan_mode(request, s, mechanism, start, stop) for mechanism in s.mechanisms]
+    return union(scans, s.conditions, s.grid, start)
+
+
+def _scan_mode(
+    request: WorkspaceRequest, s: WorkspaceSetup, mechanism: Mechanism, start: int, stop: int
+) -> Scan:
     if s.orientations is None:
-        return scan(s.mechanism, s.conditions, s.grid, s.fields, start, stop)
+        return scan(mechanism, s.conditions, s.grid, s.fields, start, stop)
     return scan_orientations(
-        s.mechanism,
+        mechanism,
         s.conditions,
         s.grid,
         s.orientations,
@@ -173,6 +181,12 @@ def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -
         every=request.type in EVERY,
         measured=bool(request.fields),
     )
+
+
+def _mode(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[int] | str:
+    if request.working_mode == "any":
+        return "any"
+    return signs(setup.mechanism.legs.working_mode)
 
 
 def field_width(name: str, legs: int) -> int:

@@ -22,6 +22,8 @@ def geometric_errors(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[t
     """Return why the geometric method cannot answer a request; nothing if it can."""
     if request.method != "geometric":
         return []
+    if request.working_mode == "any":
+        return [("/working_mode", "the geometric method needs one")]
     motion = setup.mechanism.motion
     plane = set(motion.translations) == set(PLANAR)
     if request.type != "constant_orientation" and (request.type != "maximal" or not plane):
@@ -81,7 +83,7 @@ def _of_outline(outline: outlines.Outline) -> dict[str, Any]:
     outer = [annulus.outer for annulus in outline.annuli if np.isfinite(annulus.outer)]
     slack = ROUNDING * np.pi * float(np.sum(np.square(outer)))
     extent: dict[str, Any] = {
-        "measure": _measure(region.area, slack, AREA, rigorous=True),
+        "measure": _measure(region.area, slack, AREA, rigorous=not outline.is_bound),
         "boundary": [
             [
                 Arc.model_construct(

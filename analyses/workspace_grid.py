@@ -13,7 +13,7 @@ from analyses.mechanisms import build
 from analyses.pictures import PictureAxis, PictureField, Skeleton, WorkspacePicture
 from analyses.units import coordinate_units
 from analyses.workspace import field_width
-from analyses.workspace_home import of_component
+from analyses.workspace_home import of_component, region_of
 from analyses.workspace_setup import WorkspaceSetup, field_units, set_up
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
@@ -101,7 +101,7 @@ def picture(request: WorkspaceRequest, stretches: Stretches, field: str | None) 
     chosen = check_picture(request, field)
     strides = [-(-n // PICTURE_NODES) for n in setup.grid.shape]
     inside, values = _thinned(stretches, setup, strides, chosen)
-    region = _region(stretches, setup)
+    region = region_of(setup, stretches())
     return WorkspacePicture(
         title=f"{request.class_.capitalize()} workspace, {TYPES[request.type]}",
         subtitle=_subtitle(request, region),
@@ -195,12 +195,6 @@ def _axes(setup: WorkspaceSetup, strides: list[int]) -> tuple[PictureAxis, ...]:
         PictureAxis(axis.coordinate, units[axis.coordinate], axis.nodes[::stride])
         for axis, stride in zip(setup.grid.axes, strides, strict=True)
     )
-
-
-def _region(stretches: Stretches, setup: WorkspaceSetup) -> Region:
-    runs = [(arrays["codes"], arrays["lengths"]) for arrays in stretches()]
-    codes, lengths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
-    return Region(setup.grid, codes, lengths)
 
 
 def _subtitle(request: WorkspaceRequest, region: Region) -> str:

@@ -1,6 +1,6 @@
 """The part of a workspace around a home pose, in place of the whole of it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -25,6 +25,8 @@ def home_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[tuple[s
         return [("/home", f"goes with component home, and only with that; it is {given}")]
     if request.home is None:
         return []
+    if request.working_mode == "any":
+        return [("/working_mode", "component home needs one: modes meet at singularities only")]
     if request.method == "geometric":
         return [("/method", "geometric measures the whole region; component home needs the grid")]
     coordinates = mechanism.motion.coordinates
@@ -48,6 +50,13 @@ def _misplaced(request: WorkspaceRequest, home: dict[str, float]) -> list[tuple[
     return errors
 
 
+def region_of(setup: WorkspaceSetup, stretches: Iterable[Arrays]) -> Region:
+    """Return the runs of all stretches."""
+    runs = [(arrays["codes"], arrays["lengths"]) for arrays in stretches]
+    codes, lengths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
+    return Region(setup.grid, codes, lengths)
+
+
 def component_code(setup: WorkspaceSetup) -> int:
     """Return the reason code of nodes that home cannot reach: the one after the conditions'."""
     return len(reason_codes(setup.conditions)) + 1
@@ -59,11 +68,9 @@ def of_component(
     """Return the stretches with only the component that was asked for inside."""
     if request.home is None:
         return stretches
-    runs = [(arrays["codes"], arrays["lengths"]) for arrays in stretches()]
-    codes, lengths = (np.concatenate(parts) for parts in zip(*runs, strict=True))
+    region = region_of(setup, stretches())
     signs = np.concatenate([signs_of(arrays["field_determinant"]) for arrays in stretches()])
     code = component_code(setup)
-    region = Region(setup.grid, codes, lengths)
     part = home_part(region, signs, _node(setup, request.home), code)
     chosen = kept(part, code)
     ends = np.cumsum(part.lengths)

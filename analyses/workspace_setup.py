@@ -30,17 +30,24 @@ from schemas.workspace import WorkspaceRequest
 class WorkspaceSetup:
     """Everything that a scan needs."""
 
-    mechanism: Mechanism
+    mechanisms: tuple[Mechanism, ...]
+    """The mechanism in each working mode of which the union is asked."""
     grid: Grid
     conditions: tuple[Condition, ...]
     fields: Mapping[str, kept.Field]
     orientations: Orientations | None
     """Those that each node is tried at; None: the one of its pose."""
 
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism in the first of its working modes."""
+        return self.mechanisms[0]
+
 
 def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     """Return what a scan of a checked request needs."""
-    mechanism = build(request.mechanism, request.working_mode)
+    mechanisms = in_modes(request)
+    mechanism = mechanisms[0]
     coordinates = mechanism.motion.coordinates
     axes = tuple(Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid)
     columns = tuple(coordinates.index(axis.coordinate) for axis in axes)
@@ -48,7 +55,15 @@ def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     grid = Grid(axes, columns, fixed)
     conditions = conditions_of(request, mechanism)
     orientations = orientations_of(request, mechanism, grid, conditions)
-    return WorkspaceSetup(mechanism, grid, conditions, fields_of(request), orientations)
+    return WorkspaceSetup(mechanisms, grid, conditions, fields_of(request), orientations)
+
+
+def in_modes(request: WorkspaceRequest) -> tuple[Mechanism, ...]:
+    """Return the mechanism in each working mode that a request asks for."""
+    if request.working_mode != "any":
+        return (build(request.mechanism, request.working_mode),)
+    own = build(request.mechanism)
+    return tuple(own.in_working_mode(mode) for mode in own.working_modes)
 
 
 def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
@@ -70,7 +85,7 @@ def fields_of(request: WorkspaceRequest) -> dict[str, kept.Field]:
 
 def check_request(request: WorkspaceRequest, node_limit: int) -> None:
     """Raise AnalysisError if the request makes no sense; nothing large is allocated."""
-    mechanism = build(request.mechanism, request.working_mode)
+    mechanism = in_modes(request)[0]
     errors = [
         *_coordinate_errors(request, mechanism),
         *orientation_errors(request, mechanism),

@@ -5,17 +5,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Bytes, Floats
+from mechanics.arrays import Booleans, Bytes
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
 from mechanics.sweeps import Sweep
 from mechanics.turns import Turn
-from mechanics.workspace import INSIDE, Scan, line_runs, provable, scan
-
-UNSEEN = 255
-"""The code of a node before its first orientation: none is as high."""
+from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, provable, ranks_of, scan
 
 
 @dataclass(frozen=True)
@@ -61,7 +58,7 @@ def scan_orientations(
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
     held = np.zeros(stop - start)
-    ranks = _ranks(conditions)
+    ranks = ranks_of(conditions)
     dear = 1 + sum(len(c.legs) for c in conditions[: provable(mechanism, conditions, grid)])
     for o in range(orientations.grid.size):
         turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
@@ -102,14 +99,3 @@ def _undecided(codes: Bytes, every: bool, measured: bool) -> Booleans:
     settled = codes == 1 if every else (codes == INSIDE) & (not measured)
     open_: Booleans = ~settled
     return open_
-
-
-def _ranks(conditions: Sequence[Condition]) -> Floats:
-    """Return how far each code's node came, shape (256,): how many conditions held."""
-    ranks = np.full(256, -1.0)
-    code = 1
-    for number, condition in enumerate(conditions):
-        ranks[code : code + len(condition.legs)] = number
-        code += len(condition.legs)
-    ranks[INSIDE] = len(conditions)
-    return ranks

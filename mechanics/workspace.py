@@ -26,6 +26,9 @@ FINEST = 1e-5
 INSIDE = 0
 """The code of a node at which every condition holds."""
 
+UNSEEN = 255
+"""The code of a node before anything is known of it: no reason's is as high."""
+
 
 @dataclass(frozen=True)
 class Excluded:
@@ -40,6 +43,17 @@ def reason_codes(conditions: Sequence[Condition]) -> list[Excluded]:
     """Return the meaning of every code, conditions in their order, their parts within."""
     parts = [(condition.reason, leg) for condition in conditions for leg in condition.legs]
     return [Excluded(code, reason, leg) for code, (reason, leg) in enumerate(parts, start=1)]
+
+
+def ranks_of(conditions: Sequence[Condition]) -> Floats:
+    """Return how far each code's node came, shape (256,): how many conditions held."""
+    ranks = np.full(256, -1.0)
+    code = 1
+    for number, condition in enumerate(conditions):
+        ranks[code : code + len(condition.legs)] = number
+        code += len(condition.legs)
+    ranks[INSIDE] = len(conditions)
+    return ranks
 
 
 @dataclass(frozen=True)

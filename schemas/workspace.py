@@ -245,7 +245,11 @@ class WorkspaceRequest(Model):
     histograms: bool = Field(
         default=False, description="Whether to count how often each field has which values."
     )
-    working_mode: WorkingMode | None = None
+    working_mode: WorkingMode | Literal["any"] | None = Field(
+        default=None,
+        description="any: the union over all working modes; fields are those of the first mode, "
+        "of +1 before -1 leg by leg, that a node belongs in.",
+    )
 
     @field_validator("fields", mode="after")
     @classmethod
@@ -372,7 +376,7 @@ class WorkspaceResult(Model):
     orientations: list[OrientationsTried] | None = Field(
         description="Null for constant_orientation and orientation."
     )
-    working_mode: WorkingMode
+    working_mode: WorkingMode | Literal["any"]
     shape: list[int]
     nodes: int
     inside: int

@@ -115,7 +115,7 @@ from .workspace_result_centroid_type_0 import WorkspaceResultCentroidType0
 from .workspace_result_class import WorkspaceResultClass
 from .workspace_result_fields import WorkspaceResultFields
 from .workspace_result_type import WorkspaceResultType
-from .workspace_result_working_mode_item import WorkspaceResultWorkingModeItem
+from .workspace_result_working_mode_type_0_item import WorkspaceResultWorkingModeType0Item
 
 __all__ = (
     "ActuatorLimit",
@@ -231,5 +231,5 @@ __all__ = (
     "WorkspaceResultClass",
     "WorkspaceResultFields",
     "WorkspaceResultType",
-    "WorkspaceResultWorkingModeItem",
+    "WorkspaceResultWorkingModeType0Item",
 )

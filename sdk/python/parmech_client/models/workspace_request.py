@@ -79,7 +79,8 @@ class WorkspaceRequest:
                 is told in arcs. For reach and actuator limits, over all translations. Default: 'grid'.
             orientation_range (list[OrientationAxis] | Unset): The turns, for the types that need many orientations; for
                 maximal and full only their steps, since they mean the whole turn.
-            working_mode (list[WorkspaceRequestWorkingModeType0Item] | None | Unset):
+            working_mode (list[WorkspaceRequestWorkingModeType0Item] | Literal['any'] | None | Unset): any: the union over
+                all working modes; fields are those of the first mode, of +1 before -1 leg by leg, that a node belongs in.
     """
 
     analysis: Literal["workspace"]
@@ -111,7 +112,7 @@ class WorkspaceRequest:
     inscribed: bool | Unset = False
     method: WorkspaceRequestMethod | Unset = "grid"
     orientation_range: list[OrientationAxis] | Unset = UNSET
-    working_mode: list[WorkspaceRequestWorkingModeType0Item] | None | Unset = UNSET
+    working_mode: list[WorkspaceRequestWorkingModeType0Item] | Literal["any"] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
         from ..models.constructive import Constructive  # noqa: PLC0415
@@ -223,7 +224,7 @@ class WorkspaceRequest:
                 orientation_range_item = orientation_range_item_data.to_dict()
                 orientation_range.append(orientation_range_item)
 
-        working_mode: list[int] | None | Unset
+        working_mode: list[int] | Literal["any"] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
         elif isinstance(self.working_mode, list):
@@ -523,7 +524,9 @@ class WorkspaceRequest:
 
                 orientation_range.append(orientation_range_item)
 
-        def _parse_working_mode(data: object) -> list[WorkspaceRequestWorkingModeType0Item] | None | Unset:
+        def _parse_working_mode(
+            data: object,
+        ) -> list[WorkspaceRequestWorkingModeType0Item] | Literal["any"] | None | Unset:
             if data is None:
                 return data
             if isinstance(data, Unset):
@@ -543,7 +546,11 @@ class WorkspaceRequest:
                 return working_mode_type_0
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
-            return cast(list[WorkspaceRequestWorkingModeType0Item] | None | Unset, data)
+            working_mode_type_1 = cast(Literal["any"], data)
+            if working_mode_type_1 != "any":
+                raise ValueError(f"working_mode_type_1 must match const 'any', got '{working_mode_type_1}'")
+            return working_mode_type_1
+            return cast(list[WorkspaceRequestWorkingModeType0Item] | Literal["any"] | None | Unset, data)
 
         working_mode = _parse_working_mode(d.pop("working_mode", UNSET))
 

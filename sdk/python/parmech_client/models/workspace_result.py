@@ -7,9 +7,9 @@ from attrs import define as _attrs_define
 
 from ..models.workspace_result_class import WorkspaceResultClass, check_workspace_result_class
 from ..models.workspace_result_type import WorkspaceResultType, check_workspace_result_type
-from ..models.workspace_result_working_mode_item import (
-    WorkspaceResultWorkingModeItem,
-    check_workspace_result_working_mode_item,
+from ..models.workspace_result_working_mode_type_0_item import (
+    WorkspaceResultWorkingModeType0Item,
+    check_workspace_result_working_mode_type_0_item,
 )
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class WorkspaceResult:
             larger: maximal by the geometric method.
         shape (list[int]):
         type_ (WorkspaceResultType):
-        working_mode (list[WorkspaceResultWorkingModeItem]):
+        working_mode (list[WorkspaceResultWorkingModeType0Item] | Literal['any']):
     """
 
     analysis: Literal["workspace"]
@@ -71,7 +71,7 @@ class WorkspaceResult:
     outer_bound: bool
     shape: list[int]
     type_: WorkspaceResultType
-    working_mode: list[WorkspaceResultWorkingModeItem]
+    working_mode: list[WorkspaceResultWorkingModeType0Item] | Literal["any"]
 
     def to_dict(self) -> dict[str, Any]:
         from ..models.inscribed import Inscribed  # noqa: PLC0415
@@ -148,10 +148,15 @@ class WorkspaceResult:
 
         type_: str = self.type_
 
-        working_mode = []
-        for working_mode_item_data in self.working_mode:
-            working_mode_item: int = working_mode_item_data
-            working_mode.append(working_mode_item)
+        working_mode: list[int] | Literal["any"]
+        if isinstance(self.working_mode, list):
+            working_mode = []
+            for working_mode_type_0_item_data in self.working_mode:
+                working_mode_type_0_item: int = working_mode_type_0_item_data
+                working_mode.append(working_mode_type_0_item)
+
+        else:
+            working_mode = self.working_mode
 
         field_dict: dict[str, Any] = {}
 
@@ -311,12 +316,28 @@ class WorkspaceResult:
 
         type_ = check_workspace_result_type(d.pop("type"))
 
-        working_mode = []
-        _working_mode = d.pop("working_mode")
-        for working_mode_item_data in _working_mode:
-            working_mode_item = check_workspace_result_working_mode_item(working_mode_item_data)
+        def _parse_working_mode(data: object) -> list[WorkspaceResultWorkingModeType0Item] | Literal["any"]:
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                working_mode_type_0 = []
+                _working_mode_type_0 = data
+                for working_mode_type_0_item_data in _working_mode_type_0:
+                    working_mode_type_0_item = check_workspace_result_working_mode_type_0_item(
+                        working_mode_type_0_item_data
+                    )
 
-            working_mode.append(working_mode_item)
+                    working_mode_type_0.append(working_mode_type_0_item)
+
+                return working_mode_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            working_mode_type_1 = cast(Literal["any"], data)
+            if working_mode_type_1 != "any":
+                raise ValueError(f"working_mode_type_1 must match const 'any', got '{working_mode_type_1}'")
+            return working_mode_type_1
+
+        working_mode = _parse_working_mode(d.pop("working_mode"))
 
         workspace_result = cls(
             analysis=analysis,
