@@ -6,10 +6,12 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analyses.analysis import POSES_PER_BLOCK
 from benchmarks import rivals
 from mechanics import effort
+from mechanics import fields as kept_fields
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.reach import Reach
@@ -21,7 +23,9 @@ from mechanics.grid import Axis, Grid
 from mechanics.kernels import batches
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
-from mechanics.workspace import scan
+from mechanics.orientations import Orientations, scan_orientations
+from mechanics.turns import Turn
+from mechanics.workspace import Scan, scan
 
 REPEATS = 9
 POSES = 1_000_000
@@ -168,6 +172,72 @@ def struts() -> None:
     )
 
 
+def orientations() -> None:
+    """Compare all angles of a turning platform, a node, with 360 of them in NumPy."""
+    mechanism = planar()
+    axes = (Axis("x", -0.3, 0.3, 0.001), Axis("y", -0.3, 0.3, 0.001))
+    grid = Grid(axes, (0, 1), np.zeros(3))
+    turn = Turn(mechanism.motion, "phi", 2, -np.pi, np.pi, np.deg2rad(2.0))
+    around = Orientations(Grid((), (), np.zeros(3)), turn, 2.0 * np.pi)
+    base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
+    x, y = (axis.nodes for axis in axes)
+
+    def ours(every: bool) -> Scan:
+        return scan_orientations(
+            mechanism,
+            [Reach(mechanism)],
+            grid,
+            around,
+            0,
+            grid.size,
+            every=every,
+            measured=False,
+        )
+
+    def sampled(every: bool) -> NDArray[np.bool_]:
+        return rivals.sampled_orientations(base, platform, 0.36, x, y, 360, every=every)
+
+    for name, every in (("3-RRR maximal, a node", False), ("3-RRR full, a node", True)):
+        found, expected = ours(every), sampled(every)
+        inside = np.repeat(found.codes == 0, found.lengths)
+        differing = np.count_nonzero(inside != expected.ravel())
+        assert differing < 200, f"{name}: sampling differs at {differing} nodes"
+        compare(
+            name,
+            partial(ours, every),
+            grid.size,
+            "NumPy, 360 angles",
+            partial(sampled, every),
+        )
+
+
+def fields() -> None:
+    """Compare a 6-SPS with two fields, a node, with batched inversion in NumPy."""
+    free_platform, _ = hexapod()
+    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
+    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    step = 2.0 / 99
+    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
+    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    kept = {"effort": kept_fields.effort_max(Load(1.0, 0.1)), "angle": kept_fields.pressure_angle}
+    positions = np.ascontiguousarray(grid.poses(0, grid.size)[:3].T)
+    legs = mechanism.legs
+
+    def ours() -> Scan:
+        return scan(mechanism, conditions, grid, kept, 0, grid.size)
+
+    def theirs() -> tuple[NDArray[np.bool_], Floats, Floats]:
+        return rivals.strut_fields(positions, legs.base_point, legs.platform_point, 0.9, 1.5)
+
+    found, (inside, efforts, _) = ours(), theirs()
+    assert np.array_equal(np.repeat(found.codes == 0, found.lengths), inside)
+    usual = np.median(efforts)
+    differing = np.abs(found.fields["effort"] - efforts)[efforts < 100.0 * usual].max()
+    assert differing < 1e-9 * usual, f"fields: efforts differ by {differing} N"
+    compare("6-SPS with two fields, a node", ours, grid.size, "NumPy, blocks of 4096", theirs)
+
+
 def inverse_of_struts() -> None:
     """Compare the inverse of a 6-SPS, a pose, with bare roots, NumPy and basic-robotics."""
     mechanism, rows = hexapod()
@@ -215,6 +285,8 @@ if __name__ == "__main__":
     scan_of_reach()
     rails()
     struts()
+    orientations()
+    fields()
     inverse_of_struts()
     random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))
     efforts("3-RRR efforts from poses, a pose", planar(), random_poses)

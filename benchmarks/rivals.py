@@ -56,6 +56,51 @@ def struts_grid(
     return inside
 
 
+def sampled_orientations(
+    base: Floats, platform: Floats, far: float, x: Floats, y: Floats, angles: int, *, every: bool
+) -> NDArray[np.bool_]:
+    """Return which nodes all planar legs reach at some, or at every, of so many angles."""
+    inside = np.full((x.size, y.size), every)
+    for phi in -np.pi + 2.0 * np.pi * np.arange(angles) / angles:
+        c, s = np.cos(phi), np.sin(phi)
+        within = np.ones_like(inside)
+        for joint, b in zip(base, platform, strict=True):
+            across = (x + c * b[0] - s * b[1] - joint[0]) ** 2
+            along = (y + s * b[0] + c * b[1] - joint[1]) ** 2
+            within &= across[:, None] + along <= far * far
+        inside = inside & within if every else inside | within
+    return inside
+
+
+def strut_fields(
+    positions: Floats, base: Floats, platform: Floats, low: float, high: float, block: int = 4096
+) -> tuple[NDArray[np.bool_], Floats, Floats]:
+    """Return which positions a level platform's struts hold, and two fields where they do.
+
+    The greatest effort of any drive under 1 N and 0.1 N m, and the greatest pressure angle, by
+    batched inversion of the Jacobians of what is inside.
+    """
+    parts = []
+    for first in range(0, len(positions), block):
+        spans = positions[first : first + block, None, :] + platform - base
+        lengths = np.sqrt(np.einsum("nkj,nkj->nk", spans, spans))
+        inside = np.all((lengths >= low) & (lengths <= high), axis=1)
+        u = spans[inside] / lengths[inside, :, None]
+        arms = np.broadcast_to(platform, u.shape)
+        inverses = np.linalg.inv(np.concatenate([u, np.cross(arms, u)], axis=2))
+        forces = np.linalg.norm(inverses[:, :3], axis=1)
+        moments = np.linalg.norm(inverses[:, 3:], axis=1)
+        efforts = np.max(forces + 0.1 * moments, axis=1)
+        moves = np.moveaxis(inverses[:, :3], 2, 1) + np.cross(
+            np.moveaxis(inverses[:, 3:], 2, 1), arms
+        )
+        along = np.abs(np.einsum("nkj,nkj->nk", moves, u))
+        angles = np.arccos(np.minimum(along / np.linalg.norm(moves, axis=2), 1.0))
+        parts.append((inside, efforts, np.max(angles, axis=1)))
+    held, efforts, angles = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return held, efforts, angles
+
+
 def worst_efforts(jacobians: Floats, force: float, moment: float, split: int) -> Floats:
     """Return greatest efforts, shape (poses, drives), by batched inversion of ready Jacobians.
 
