@@ -76,8 +76,9 @@ def about(turns: Floats) -> Floats:
 
 def product(left: Floats, right: Floats) -> Floats:
     """Return the rotations left right, shape (9, poses)."""
-    turned: Floats = np.einsum("ijn,jkn->ikn", left.reshape(3, 3, -1), right.reshape(3, 3, -1))
-    return turned.reshape(9, -1)
+    factors = left.reshape(3, 3, 1, -1) * right.reshape(1, 3, 3, -1)
+    turned: Floats = np.sum(factors, axis=1).reshape(9, -1)
+    return turned
 
 
 def wrapped(angles: Floats) -> Floats:

@@ -42,8 +42,10 @@ class BrakedLegs:
         self.actuators = np.ascontiguousarray(actuators)
         of = mechanism.legs
         driven = (of.drive == CRANK)[:, None]
-        first = np.where(driven, np.cos(actuators), actuators)
-        self._travel = np.stack([first, np.where(driven, np.sin(actuators), 0.0)], axis=1)
+        # Nothing turns by what is no angle; such cases are not `possible`.
+        angles = np.where(driven & np.isfinite(actuators), actuators, 0.0)
+        first = np.where(driven, np.cos(angles), actuators)
+        self._travel = np.stack([first, np.where(driven, np.sin(angles), 0.0)], axis=1)
         struts = (of.drive == STRUT)[:, None]
         self.rod_lengths = np.where(struts, actuators, of.rod_length[:, None])
         self._scales = np.where(struts, actuators, of.rod_scale[:, None])

@@ -14,7 +14,7 @@ CLOSED = 2e-14
 
 _ITERATIONS = 60
 _LARGEST_TURN = 0.7
-"""No step turns further: beyond, a turn has little to do with its rates. [rad]"""
+"""No step turns further, nor moves further than the greatest length: rates say nothing of that."""
 
 _SHORTEST = 2.0**-20
 
@@ -72,7 +72,7 @@ class _Search:
         self.poses = np.array(guesses, dtype=float)
         errors = legs.errors(self.poses)
         self.excess = errors.excess
-        self.steps = self._screws(errors)
+        self.steps = self._screws(errors, self.sizes)
         self.shares = np.ones(self.sizes.size)
         self.tried = np.zeros(self.sizes.size, dtype=np.int64)
         self.going = np.flatnonzero(np.any(self.excess != 0.0, axis=0))
@@ -93,7 +93,9 @@ class _Search:
         kept = cases[better]
         self.poses[:, kept] = poses[:, better]
         self.excess[:, kept] = errors.excess[:, better]
-        self.steps[:, kept] = self._screws(LegErrors(*(part[..., better] for part in errors)))
+        self.steps[:, kept] = self._screws(
+            LegErrors(*(part[..., better] for part in errors)), self.sizes[kept]
+        )
 
     def _undecided(self, cases: Integers) -> Booleans:
         """Return whether shorter steps may help: not where only rounding is left."""
@@ -101,10 +103,11 @@ class _Search:
         undecided: Booleans = rough & (self.shares[cases] > _SHORTEST)
         return undecided
 
-    def _screws(self, errors: LegErrors) -> Floats:
+    def _screws(self, errors: LegErrors, sizes: Floats) -> Floats:
         steps = np.empty(errors.rows.shape[1:])
         solve_each(np.ascontiguousarray(errors.rows), np.ascontiguousarray(errors.sides), steps)
         turning = np.any(self.legs.mechanism.motion.twists[3:], axis=0)
-        turns = np.linalg.norm(steps[turning], axis=0)
-        steps *= np.minimum(1.0, _LARGEST_TURN / np.maximum(turns, _LARGEST_TURN))
-        return steps
+        turns = np.linalg.norm(steps[turning], axis=0) / _LARGEST_TURN
+        shifts = np.linalg.norm(steps[~turning], axis=0) / sizes
+        short: Floats = steps / np.maximum(1.0, np.maximum(turns, shifts))
+        return short

@@ -45,7 +45,7 @@ def meetings(planes: Floats, squares: Floats, degree: int) -> Meetings:
     squares : array, shape (cases,): rho^2.
     degree : of the polynomial |adj(M) k|^2 - rho^2 det(M)^2.
     """
-    around = np.einsum("tn,ctij->cnij", _waves(ANGLES), planes)
+    around = _turned(planes[:, :, None], ANGLES)
     points, dets = _cramer(around)
     values = np.sum(points**2, axis=-1) - squares[:, None] * dets**2
     sizes, others = _norms(planes[..., :-1]), _norms(planes[..., -1:])
@@ -58,8 +58,11 @@ def meetings(planes: Floats, squares: Floats, degree: int) -> Meetings:
     return _points(planes, squares, cases, angles[cases, columns], free)
 
 
-def _waves(angles: Floats) -> Floats:
-    return np.stack([np.ones_like(angles), np.cos(angles), np.sin(angles)])
+def _turned(planes: Floats, angles: Floats) -> Floats:
+    """Return [M | k] at angles, shape (..., m, m + 1), of its parts on the second axis."""
+    c, s = np.cos(angles)[:, None, None], np.sin(angles)[:, None, None]
+    turned: Floats = planes[:, 0] + c * planes[:, 1] + s * planes[:, 2]
+    return turned
 
 
 def _norms(parts: Floats) -> Floats:
@@ -71,7 +74,7 @@ def _points(
     planes: Floats, squares: Floats, cases: Integers, angles: Floats, free: Booleans
 ) -> Meetings:
     """Return what the planes meet in at the angles: a point, or a line's two on the sphere."""
-    at = np.einsum("tn,ntij->nij", _waves(angles), planes[cases])
+    at = _turned(planes[cases], angles)
     above, dets = _cramer(at)
     sizes = _norms(planes[..., :-1])[cases]
     lines = ~(np.abs(dets) > _NEARLY_PARALLEL * sizes ** at.shape[1])
@@ -107,9 +110,9 @@ def _on_lines(planes: Floats, squares: Floats) -> Floats:
     """
     left, values, right = np.linalg.svd(planes[..., :-1])
     along = right[:, -1]
-    sides = np.einsum("nij,ni->nj", left, planes[..., -1])[:, :-1]
+    sides = np.sum(left * planes[..., -1:], axis=1)[:, :-1]
     wide = values[:, :-1] > 1e-12 * values[:, :1]
     shares = np.where(wide, sides / np.where(wide, values[:, :-1], 1.0), 0.0)
-    foot = -np.einsum("nj,njk->nk", shares, right[:, :-1])
+    foot = -np.sum(shares[..., None] * right[:, :-1], axis=1)
     rest = np.sqrt(np.maximum(0.0, squares - np.sum(foot**2, axis=1)))
     return np.stack([foot + rest[:, None] * along, foot - rest[:, None] * along])

@@ -6,7 +6,7 @@ import numpy as np
 
 from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.assembly.braked import BrakedLegs, determinants
-from mechanics.assembly.guess import CLOSED, close_legs
+from mechanics.assembly.guess import close_legs
 from mechanics.assembly.proposals import Proposals
 from mechanics.kernels.placing import TURNING_NONE
 from mechanics.legs import STRUT
@@ -21,6 +21,9 @@ _SINGULAR = 1e-6
 
 _AWAY = 0.02
 """How far such a mode is left, as a share of the mechanism's size."""
+
+_SAME = 1e-12
+"""Two modes are one if half-way between them no rod is off by more, of the mechanism's size."""
 
 _CLOSE = 0.02
 """Modes further apart than this, of the mechanism's size or in rad, are never one."""
@@ -85,8 +88,8 @@ def _chosen(modes: Modes, order: Integers | Booleans) -> Modes:
 def _distinct(modes: Modes, legs: BrakedLegs) -> Modes:
     """Return the modes without repetitions.
 
-    Two are one if the pose half-way closes the legs as well as they do: so do two copies of a
-    mode, and the ends of the short stretch in which rounding leaves a double mode open.
+    Two are one if the pose half-way closes the legs too: so do two copies of a mode, and the ends
+    of the short stretch, about the root of rounding, within which a double mode is not told apart.
     """
     count = modes.cases.size
     repeated = np.zeros(count, dtype=bool)
@@ -139,7 +142,7 @@ def _same(modes: Modes, first: Integers, second: Integers, legs: BrakedLegs) -> 
     braked = braked.take(near)
     excess = np.abs(braked.errors(half).excess).max(axis=0)
     same = np.zeros(first.size, dtype=bool)
-    same[near] = excess <= CLOSED * braked.sizes
+    same[near] = excess <= _SAME * braked.sizes
     return same
 
 

@@ -25,7 +25,9 @@ ROUTE = "one angle"
 def propose(legs: BrakedLegs) -> Proposals:
     """Return proposals for all modes of a spherical mechanism's braked legs."""
     starts, points, cosines = _cones(legs)
-    first = np.argmin(np.abs(cosines), axis=1)
+    # Of the legs that hold the platform the one whose cone is the most open.
+    holding = np.any(starts != 0.0, axis=2) & np.any(points != 0.0, axis=2)
+    first = np.argmin(np.where(holding, np.abs(cosines), np.inf), axis=1)
     order = (first[:, None] + np.arange(3)) % 3
     starts, points = _ordered(starts, order), _ordered(points, order)
     cosines = np.take_along_axis(cosines, order, axis=1)
@@ -47,12 +49,11 @@ def _cones(legs: BrakedLegs) -> tuple[Floats, Floats, Floats]:
     """Return unit vectors w and v, shape (cases, legs, 3), and k = w (R v), shape (cases, legs)."""
     starts = legs.rod_starts.transpose(2, 0, 1)
     points = np.broadcast_to(legs.mechanism.legs.platform_point, starts.shape)
-    sides = np.sum(starts**2, axis=2), np.sum(points**2, axis=2)
-    sizes = np.sqrt(sides[0] * sides[1])
-    # A leg that starts or ends in the centre holds no turn: its equations are empty.
-    sizes = np.where(sizes > 0.0, sizes, 1.0)
-    cosines = 0.5 * (sides[0] + sides[1] - legs.rod_lengths.T**2) / sizes
-    return starts / np.sqrt(sides[0])[..., None], points / np.sqrt(sides[1])[..., None], cosines
+    w, v = np.linalg.norm(starts, axis=2), np.linalg.norm(points, axis=2)
+    # A leg that starts or ends in the centre says nothing of the rotation: any size does.
+    w, v = np.where(w > 0.0, w, 1.0), np.where(v > 0.0, v, 1.0)
+    squares = np.sum(starts**2, axis=2) + np.sum(points**2, axis=2) - legs.rod_lengths.T**2
+    return starts / w[..., None], points / v[..., None], 0.5 * squares / (w * v)
 
 
 def _ordered(vectors: Floats, order: Integers) -> Floats:
@@ -63,7 +64,8 @@ def _frames(axes: Floats) -> Floats:
     """Return frames, shape (cases, 3, 3), as columns, whose last axis is the given one."""
     least = np.eye(3)[np.argmin(np.abs(axes), axis=1)]
     aside = np.cross(axes, least)
-    aside /= np.linalg.norm(aside, axis=1, keepdims=True)
+    sizes = np.linalg.norm(aside, axis=1, keepdims=True)
+    aside /= np.where(sizes > 0.0, sizes, 1.0)
     return np.stack([aside, np.cross(axes, aside), axes], axis=-1)
 
 
@@ -81,7 +83,7 @@ def _planes(starts: Floats, points: Floats, cosines: Floats, tilts: Floats) -> F
     nothing = np.zeros_like(x)
     parts = [(nothing, nothing, z), (x, y, nothing), (y, -x, nothing)]
     turned = np.stack([np.stack(part, axis=-1) for part in parts], axis=1)
-    gx, gy, gz = np.moveaxis(np.einsum("ctli,cij->ctlj", turned, tilts), 3, 0)
+    gx, gy, gz = np.moveaxis(turned @ tilts[:, None], 3, 0)
     vx, vy, vz = np.moveaxis(points, 2, 0)[:, :, None]
     k = gz * vz
     k[:, 0] -= cosines

@@ -83,7 +83,7 @@ def propose(legs: BrakedLegs, found: Structure) -> Proposals:
     # Found is the triangle of joints as the other body sees it.
     platform, base = (here, there) if found.on_platform else (there, here)
     rotations = _triads(base) @ _triads(platform).transpose(0, 2, 1)
-    positions = base[:, 0] - np.einsum("nij,nj->ni", rotations, platform[:, 0])
+    positions = base[:, 0] - np.sum(rotations * platform[:, :1], axis=2)
     poses = coordinates(legs.mechanism.motion, positions.T, rotations.reshape(-1, 9).T)
     sound = np.all(np.isfinite(poses), axis=0)
     return Proposals(cases[sound], poses[:, sound], determined, ROUTE)

@@ -52,7 +52,8 @@ def _in_half_tangents(values: Floats, phi0: Floats, degree: int) -> Floats:
     waves[:, 1:] *= 2.0
     shifted = waves * np.exp(1j * phi0[:, None] * orders)
     powers = np.array([_wave(degree, order) for order in range(degree + 1)])
-    coefficients: Floats = (shifted @ powers).real
+    # Not a matrix product, whose rounding depends on how many rows there are.
+    coefficients: Floats = np.sum(shifted[:, :, None] * powers, axis=1).real
     return coefficients
 
 

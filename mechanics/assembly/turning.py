@@ -37,7 +37,7 @@ def propose(legs: BrakedLegs) -> Proposals:
     degree = 3 if len(points) == 3 else 4
     found = meetings(planes, squares[:, 0] - np.sum(level**2, axis=1), degree)
     rotations = about(axis[:, None] * found.angles)
-    turned = np.einsum("ijn,j->ni", rotations.reshape(3, 3, -1), points[0])
+    turned = np.sum(rotations.reshape(3, 3, -1) * points[0][:, None], axis=1).T
     away = found.points * sizes[found.cases, None]
     moved = away + (starts[found.cases, 0] - turned) @ basis
     poses = np.vstack([moved.T, found.angles])
@@ -54,9 +54,8 @@ def _planes(
     parts = _turning_parts(axis, arms)
     moved = parts.copy()
     moved[:, 0] -= feet
-    heads = np.einsum("ctli,ij->ctlj", moved, basis)
-    crossed = np.einsum("cli,ctli->ctl", feet, parts)
-    k = np.einsum("ctli,ci->ctl", moved, level) - crossed
+    heads = moved @ basis
+    k = np.sum(moved * level[:, None, None] - feet[:, None] * parts, axis=-1)
     fixed = np.sum(arms**2, axis=-1) + np.sum(feet**2, axis=-1)
     k[:, 0] += 0.5 * (fixed + squares[:, :1] - squares[:, 1:])
     return np.concatenate([heads, k[..., None]], axis=-1)
