@@ -8,15 +8,20 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.assembly import spheres, spherical, tetrahedra, turning
 from mechanics.assembly.braked import BrakedLegs
-from mechanics.assembly.guess import close_legs
+from mechanics.assembly.guess import STEPS, close_legs
 from mechanics.assembly.proposals import Proposals
 from mechanics.assembly.settling import Modes, describe, loose, settle
+from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
 from mechanics.mechanism import Mechanism, WorkingMode
 from mechanics.rotations import coordinates
 
 _BLOCK = 2048
 """Rows answered together, so that memory does not grow with the request."""
+
+
+IMPOSSIBLE = "impossible drives"
+"""The route where drives cannot stand so: a strut of no length."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +50,8 @@ class Assembly:
     Parameters
     ----------
     modes : by falling determinant; none where the drives are out of reach.
-    route : how they were found.
+    route : how they were found: `closed form`, `one angle`, `tetrahedra`, a route of
+        `mechanics.assembly.spatial`, or `IMPOSSIBLE`.
     certified : whether these are all. Not so where the platform can move while the drives stand
         still, and where the route itself cannot tell.
     """
@@ -84,7 +90,7 @@ def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
 
 
 def nearby_modes(
-    mechanism: Mechanism, actuators: Floats, guesses: Floats, iterations: int = 60
+    mechanism: Mechanism, actuators: Floats, guesses: Floats, iterations: int = STEPS
 ) -> list[NearbyMode]:
     """Return the mode to which Newton's iteration leads from each row's guess.
 
@@ -127,19 +133,20 @@ def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
 def _block(mechanism: Mechanism, columns: Floats) -> list[Assembly]:
     legs = BrakedLegs(mechanism, columns)
     possible = np.flatnonzero(legs.possible)
+    found = [Assembly((), IMPOSSIBLE, True)] * columns.shape[1]
+    if not possible.size:
+        return found
     braked = legs.take(possible)
     proposals = _proposals(braked)
     modes = settle(braked, proposals)
-    certified = np.ones(columns.shape[1], dtype=bool)
-    certified[possible] = proposals.certified
-    certified[possible[modes.cases[loose(braked, modes)]]] = False
-    cases = possible[modes.cases]
-    bounds = np.searchsorted(cases, np.arange(columns.shape[1] + 1))
-    every = [_mode(modes, i) for i in range(cases.size)]
-    return [
-        Assembly(tuple(every[bounds[row] : bounds[row + 1]]), proposals.route, bool(sure))
-        for row, sure in enumerate(certified)
-    ]
+    certified = proposals.certified.copy()
+    certified[modes.cases[loose(braked, modes)]] = False
+    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
+    every = [_mode(modes, i) for i in range(modes.cases.size)]
+    for case, row in enumerate(possible):
+        own = tuple(every[bounds[case] : bounds[case + 1]])
+        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
+    return found
 
 
 def _mode(modes: Modes, i: int) -> AssemblyMode:
@@ -168,16 +175,16 @@ def _proposals(legs: BrakedLegs) -> Proposals:
 
 def _six_rods(legs: BrakedLegs) -> Proposals:
     """Return proposals for all modes of six rods without structure, one case at a time."""
-    from mechanics.assembly import spatial
-
     starts, points = legs.rod_starts, legs.mechanism.legs.platform_point
-    counts, poses, certified, route = [], [], [], ""
-    for case in range(starts.shape[2]):
-        found = spatial.modes(starts[:, :, case], points, legs.rod_lengths[:, case])
-        rotations = found.rotations.reshape(-1, 9).T
-        poses.append(coordinates(legs.mechanism.motion, found.positions.T, rotations))
-        counts.append(poses[-1].shape[1])
-        certified.append(bool(found.certified))
-        route = found.route
-    cases = np.repeat(np.arange(len(counts)), counts)
-    return Proposals(cases, np.hstack(poses), np.array(certified), route)
+    found = [
+        spatial_modes(starts[:, :, case], points, legs.rod_lengths[:, case])
+        for case in range(starts.shape[2])
+    ]
+    positions = np.concatenate([one.positions for one in found])
+    rotations = np.concatenate([one.rotations for one in found]).reshape(-1, 9)
+    return Proposals(
+        np.repeat(np.arange(len(found)), [len(one.positions) for one in found]),
+        coordinates(legs.mechanism.motion, positions.T, rotations.T),
+        np.array([one.certified for one in found], dtype=bool),
+        tuple(one.route for one in found),
+    )

@@ -12,7 +12,9 @@ from mechanics.rotations import move
 CLOSED = 2e-14
 """Legs are closed where no rod's length is off by more, as a share of the greatest length."""
 
-_ITERATIONS = 60
+STEPS = 60
+"""Steps that are tried at most, shortened ones included."""
+
 _LARGEST_TURN = 0.7
 """No step turns further, nor moves further than the greatest length: rates say nothing of that."""
 
@@ -37,7 +39,7 @@ class Convergence(NamedTuple):
     converged: Booleans
 
 
-def close_legs(legs: BrakedLegs, guesses: Floats, iterations: int = _ITERATIONS) -> Convergence:
+def close_legs(legs: BrakedLegs, guesses: Floats, iterations: int = STEPS) -> Convergence:
     """Return where Newton's iteration on the leg equations leads from each guess.
 
     A step is the screw that would close all legs at once, shortened by halves until the sum of

@@ -14,10 +14,10 @@ class Proposals(NamedTuple):
     poses : array, shape (coordinates, proposals). [m, rad]
     certified : array, shape (cases,): whether all modes of the case are proposed. Not so where
         the platform can move while the drives stand still: modes are then no single poses.
-    route : how they were found.
+    routes : how they were found, one a case.
     """
 
     cases: Integers
     poses: Floats
     certified: Booleans
-    route: str
+    routes: tuple[str, ...]

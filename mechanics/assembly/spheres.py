@@ -72,4 +72,4 @@ def propose(legs: BrakedLegs) -> Proposals:
     rest = np.sum((centres - flat @ basis.T) ** 2, axis=2)
     ends, determined = meet(flat, legs.rod_lengths.T**2 - rest)
     cases, sides = np.nonzero(np.all(np.isfinite(ends), axis=2))
-    return Proposals(cases, ends[cases, sides].T, determined, ROUTE)
+    return Proposals(cases, ends[cases, sides].T, determined, (ROUTE,) * len(centres))

@@ -42,7 +42,7 @@ def propose(legs: BrakedLegs) -> Proposals:
     cases = found.cases
     turned = F[cases] @ thetas @ tilts[cases] @ chis @ G[cases].transpose(0, 2, 1)
     poses = fixed_axis_angles(turned.reshape(-1, 9).T)
-    return Proposals(cases, poses, ~found.free, ROUTE)
+    return Proposals(cases, poses, ~found.free, (ROUTE,) * len(planes))
 
 
 def _cones(legs: BrakedLegs) -> tuple[Floats, Floats, Floats]:

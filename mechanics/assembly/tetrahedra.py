@@ -86,7 +86,7 @@ def propose(legs: BrakedLegs, found: Structure) -> Proposals:
     positions = base[:, 0] - np.sum(rotations * platform[:, :1], axis=2)
     poses = coordinates(legs.mechanism.motion, positions.T, rotations.reshape(-1, 9).T)
     sound = np.all(np.isfinite(poses), axis=0)
-    return Proposals(cases[sound], poses[:, sound], determined, ROUTE)
+    return Proposals(cases[sound], poses[:, sound], determined, (ROUTE,) * len(starts))
 
 
 def _corners(joints: Joints, points: Floats) -> Floats:

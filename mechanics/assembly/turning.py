@@ -41,7 +41,7 @@ def propose(legs: BrakedLegs) -> Proposals:
     away = found.points * sizes[found.cases, None]
     moved = away + (starts[found.cases, 0] - turned) @ basis
     poses = np.vstack([moved.T, found.angles])
-    return Proposals(found.cases, poses, ~found.free, ROUTE)
+    return Proposals(found.cases, poses, ~found.free, (ROUTE,) * len(planes))
 
 
 def _planes(
