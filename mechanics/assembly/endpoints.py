@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from mechanics.arrays import Booleans, Complexes, Floats, Integers
-from mechanics.assembly.normal_form import quadratic_monomials
+from mechanics.kernels.endpoints import nearest
 from mechanics.kernels.homotopy import ARRIVED, AT_INFINITY, LOST, SINGULAR
 
 INFINITE = 1e-7
@@ -41,12 +41,9 @@ class Endpoints:
     final: bool
 
     @cached_property
-    def _lines(self) -> Complexes:
-        """The products of e and S3, D3, which share one factor, as unit vectors."""
-        e, free = self.solutions[:, :4], self.solutions[:, 4:]
-        lines = np.hstack([quadratic_monomials(e), free])
-        unit: Complexes = lines / np.linalg.norm(lines, axis=1, keepdims=True)
-        return unit
+    def _nearest(self) -> tuple[Floats, Floats, Floats]:
+        """How far each is from its own conjugate, from the simple ends', and from those."""
+        return nearest(self.solutions, self.outcomes == ARRIVED)
 
     @cached_property
     def h(self) -> Complexes:
@@ -55,17 +52,9 @@ class Endpoints:
         return products
 
     @cached_property
-    def _conjugate(self) -> Floats:
-        """How far each solution is from the conjugates of all, shape (paths, paths)."""
-        return _distances(self._lines, self._lines)
-
-    @cached_property
     def twins(self) -> Booleans:
         """Which simple ends fell together with another."""
-        same = _distances(self._lines.conj(), self._lines) < self.tolerance
-        np.fill_diagonal(same, False)
-        arrived = self.outcomes == ARRIVED
-        found: Booleans = arrived & (same & arrived).any(axis=1)
+        found: Booleans = (self._nearest[2] < self.tolerance) & (self.outcomes == ARRIVED)
         return found
 
     @cached_property
@@ -78,9 +67,8 @@ class Endpoints:
     @cached_property
     def doubtful(self) -> Booleans:
         """Which paths do not count: lost, fallen together, or without their conjugate."""
-        arrived = self.outcomes == ARRIVED
-        matched = ((self._conjugate < self.tolerance) & arrived).any(axis=1)
-        doubt = (self.twins | (arrived & ~matched)) & ~self.infinite
+        alone = (self._nearest[1] >= self.tolerance) & (self.outcomes == ARRIVED)
+        doubt = (self.twins | alone) & ~self.infinite
         found: Booleans = doubt | (self.outcomes == LOST)
         return found
 
@@ -93,15 +81,17 @@ class Endpoints:
     @cached_property
     def real(self) -> Booleans:
         """Which ends are simple real roots."""
-        own = np.diagonal(self._conjugate)
-        found: Booleans = (own < self.tolerance) & (self.outcomes == ARRIVED) & ~self.infinite
+        found: Booleans = (
+            (self._nearest[0] < self.tolerance) & (self.outcomes == ARRIVED) & ~self.infinite
+        )
         return found
 
     @cached_property
     def nearly_real(self) -> Booleans:
         """Which ends are worth trying as real modes."""
-        own = np.diagonal(self._conjugate)
-        found: Booleans = (own < NEARLY_REAL) & (self.outcomes != LOST) & ~self.infinite
+        found: Booleans = (
+            (self._nearest[0] < NEARLY_REAL) & (self.outcomes != LOST) & ~self.infinite
+        )
         return found
 
     def real_parts(self, chosen: Booleans) -> Floats:
@@ -110,10 +100,3 @@ class Endpoints:
         phase = np.sqrt(h / np.abs(h)).conj()[:, None]
         parts: Floats = np.hstack([solutions[:, :4] * phase, solutions[:, 4:] * phase**2]).real
         return parts
-
-
-def _distances(one: Complexes, other: Complexes) -> Floats:
-    """Return how far apart lines are that these unit vectors span, without conjugating."""
-    cosines = np.abs(one @ other.T)
-    distances: Floats = np.sqrt(np.maximum(2.0 - 2.0 * cosines, 0.0))
-    return distances

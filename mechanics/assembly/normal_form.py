@@ -56,7 +56,7 @@ ROTATION = np.array(
 """M = h R(e), row by row."""
 
 # With e = e' i, number n of e' is number n ^ 1 of e, with a sign; likewise j and k.
-_SIGNS = np.array([[1, 1, 1, 1], [1, -1, -1, 1], [1, 1, -1, -1], [1, -1, 1, -1]])
+FRAME_SIGNS = np.array([[1.0, 1, 1, 1], [1, -1, -1, 1], [1, 1, -1, -1], [1, -1, 1, -1]])
 _SWAPPED = np.array([False, True, True, False])
 _ROWS = np.array([[0, 1, 2, 3, 4], [0, 3, 2, 1, 4], [2, 1, 0, 3, 4], [2, 3, 0, 1, 4]])
 _COLUMNS = np.array(
@@ -65,7 +65,7 @@ _COLUMNS = np.array(
         for u in range(4)
     ]
 )
-_COLUMN_SIGNS = np.array([[s[i] * s[j] for i, j in PAIRS] + [1, 1] for s in _SIGNS])
+_COLUMN_SIGNS = np.array([[s[i] * s[j] for i, j in PAIRS] + [1, 1] for s in FRAME_SIGNS])
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ def normal_form(base: Floats, platform: Floats, lengths: Floats, turn: float = 0
     right[:, 10], right[:, 11] = 0.5 * (a[:, 2] - b[:, 2]), 0.5 * (a[:, 2] + b[:, 2])
     u, sizes, v = np.linalg.svd(np.hstack([-a[:, :2], b[:, :2]]))
     right = u.T @ right
-    rank = float(sizes[3] / sizes[0])
+    rank = float(sizes[3] / sizes[0]) if sizes[0] > 0.0 else 0.0
     if rank < LEAST_RANK:
         return NormalForm(right, leg, scale, base_axes, platform_axes, 0.0)
     P1, P2, Q1, Q2 = v.T @ (right[:4] / sizes[:, None])
@@ -160,31 +160,12 @@ def to_frames(solutions: Complexes) -> tuple[Floats, Integers]:
     return scaled.view(float), frames
 
 
-def from_frames(points: Floats, frames: Integers) -> Complexes:
-    """Return e, S3 and D3, e of length 1, of points as `to_frames` makes them."""
-    turned = np.ones((len(points), 6), dtype=complex)
-    turned[:, 1:] = points.view(complex)
-    share = 1.0 / np.linalg.norm(turned[:, :4], axis=1, keepdims=True)
-    turned[:, :4] *= share
-    turned[:, 4:] *= share * share
-    return _turn_back(turned, frames)
-
-
 def _turn_by(solutions: Complexes, frames: Integers) -> Complexes:
     places = np.arange(4) ^ frames[:, None]
     turned = solutions.copy()
-    turned[:, :4] = np.take_along_axis(solutions, places, axis=1) * _SIGNS[frames]
+    turned[:, :4] = np.take_along_axis(solutions, places, axis=1) * FRAME_SIGNS[frames]
     turned[:, 4:] = np.where(_SWAPPED[frames, None], solutions[:, :3:-1], solutions[:, 4:])
     return turned
-
-
-def _turn_back(turned: Complexes, frames: Integers) -> Complexes:
-    places = np.arange(4) ^ frames[:, None]
-    solutions = turned.copy()
-    signed = turned[:, :4] * _SIGNS[frames]
-    solutions[:, :4] = np.take_along_axis(signed, places, axis=1)
-    solutions[:, 4:] = np.where(_SWAPPED[frames, None], turned[:, :3:-1], turned[:, 4:])
-    return solutions
 
 
 def quadratic_monomials(e: Numbers) -> Numbers:

@@ -7,23 +7,25 @@ the equations lose rank, is searched from random poses, without certainty.
 """
 
 from dataclasses import dataclass
+from functools import reduce
 from typing import Literal
 
 import numpy as np
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Floats, Integers
 from mechanics.assembly.endpoints import Endpoints
 from mechanics.assembly.normal_form import (
+    FRAME_SIGNS,
     NormalForm,
-    from_frames,
     in_all_frames,
     normal_form,
     poses,
 )
-from mechanics.assembly.rods import Poses, Rods, distinct, improve, search
+from mechanics.assembly.rods import Poses, Rods, distinct, improve, joined, search
 from mechanics.assembly.starts import PATHS, Start, stored
 from mechanics.errors import GeometryError
-from mechanics.kernels.homotopy import CAREFUL, SWIFT, Pace, track
+from mechanics.kernels.endpoints import from_frames
+from mechanics.kernels.homotopy import CAREFUL, LOST, SWIFT, Pace, track
 
 Route = Literal["homotopy", "retracked", "restarted", "multistart"]
 
@@ -74,6 +76,7 @@ def spatial_modes(base: Floats, platform: Floats, lengths: Floats) -> SpatialMod
     """
     rods = Rods(*(np.asarray(given, dtype=float) for given in (base, platform, lengths)))
     _check(rods)
+    found: list[Poses] = []
     for number, (start, turn) in enumerate(zip(stored(), TURNS, strict=True)):
         form = normal_form(rods.base, rods.platform, rods.lengths, turn)
         if form.rank == 0.0:
@@ -83,7 +86,9 @@ def spatial_modes(base: Floats, platform: Floats, lengths: Floats) -> SpatialMod
         if certified:
             route: Route = "restarted" if number else "retracked" if again else "homotopy"
             return _answer(modes, True, route)
-    return _answer(search(rods, np.random.default_rng(0)), False, "multistart")
+        found.append(modes)
+    every = reduce(joined, found, search(rods, np.random.default_rng(0)))
+    return _answer(distinct(rods, every), False, "multistart")
 
 
 def _check(rods: Rods) -> None:
@@ -105,18 +110,25 @@ def _answer(modes: Poses, certified: bool, route: Route) -> SpatialModes:
 def _follow_all(form: NormalForm, start: Start, pace: Pace) -> tuple[Endpoints, bool]:
     """Return where the paths end, and whether some had to be followed again."""
     target = np.ascontiguousarray(in_all_frames(form.coefficients).reshape(4, -1))
-    points, frames = start.points.copy(), start.frames.copy()
-    outcomes = np.zeros(PATHS, dtype=np.int64)
-    chosen = np.arange(PATHS)
-    track(start.coefficients, target, points, frames, chosen, pace, outcomes)
-    ends = Endpoints(from_frames(points, frames), outcomes, TOLERANCE, final=False)
-    if not ends.doubtful.any():
-        return ends, False
+    points, frames = np.empty_like(start.points), np.empty_like(start.frames)
+    outcomes = np.empty(PATHS, dtype=np.int64)
+    ends = (points, frames, outcomes)
+    track(start.coefficients, target, start.points, start.frames, np.arange(PATHS), pace, *ends)
+    found = _ends(*ends, TOLERANCE)
+    if not found.doubtful.any():
+        return found, False
     # Both of a pair that fell together are doubtful: either may have jumped.
-    chosen = np.flatnonzero(ends.doubtful | ends.multiple)
-    points[chosen], frames[chosen] = start.points[chosen], start.frames[chosen]
-    track(start.coefficients, target, points, frames, chosen, CAREFUL, outcomes)
-    return Endpoints(from_frames(points, frames), outcomes, FINAL_TOLERANCE, final=True), True
+    chosen = np.flatnonzero(found.doubtful | found.multiple)
+    track(start.coefficients, target, start.points, start.frames, chosen, CAREFUL, *ends)
+    return _ends(*ends, FINAL_TOLERANCE), True
+
+
+def _ends(points: Floats, frames: Integers, outcomes: Integers, tolerance: float) -> Endpoints:
+    """Return where the paths end; what is no number is lost."""
+    astray = ~np.isfinite(points).all(axis=1)
+    points[astray], outcomes[astray] = 0.0, LOST
+    solutions = from_frames(points, frames, FRAME_SIGNS)
+    return Endpoints(solutions, outcomes.copy(), tolerance, tolerance == FINAL_TOLERANCE)
 
 
 def _modes(rods: Rods, form: NormalForm, ends: Endpoints) -> tuple[Poses, bool]:

@@ -88,9 +88,11 @@ def track(
     frames: Integers,
     chosen: Integers,
     pace: Pace,
+    ends: Floats,
+    end_frames: Integers,
     outcomes: Integers,
 ) -> int:
-    """Follow the chosen paths, writing their ends over their starts; return how many steps it took.
+    """Follow the chosen paths and write where they end; return how many steps that took.
 
     Parameters
     ----------
@@ -99,17 +101,15 @@ def track(
     points : array, shape (paths, 10), solutions of the start, each in its frame.
     frames : array, shape (paths,), 0 to 3.
     chosen : array, the paths to follow.
-    outcomes : array, shape (paths,), what became of each.
+    ends, end_frames : arrays like `points` and `frames`, for the chosen ones.
+    outcomes : array, shape (paths,), what became of each of them.
     """
     w = np.zeros((ROWS, LANES))
-    path = np.full(LANES, -1)
-    taken, busy, steps = 0, 0, 0
+    path, frame = np.full(LANES, -1), np.zeros(LANES, np.int64)
+    taken, busy, steps = 0, chosen.size, 0
     for lane in range(LANES):
-        # A lane without a path of its own runs along with the last one.
-        begin(w, lane, start, target, points, frames, chosen[min(taken, chosen.size - 1)])
-        if taken < chosen.size:
-            path[lane] = chosen[taken]
-            taken, busy = taken + 1, busy + 1
+        path[lane], frame[lane] = begin(w, lane, start, target, points, frames, chosen, taken)
+        taken += 1
     while busy > 0:
         steps += 1
         predict(w)
@@ -119,19 +119,21 @@ def track(
         remember(w)
         for lane in range(LANES):
             k = path[lane]
-            if k >= 0 and w[OUTCOME, lane] != RUNNING:
-                finish(w, lane, k, points, outcomes)
-                path[lane], busy = -1, busy - 1
-                if taken < chosen.size:
-                    path[lane] = chosen[taken]
-                    begin(w, lane, start, target, points, frames, chosen[taken])
-                    taken, busy = taken + 1, busy + 1
-            elif k >= 0 and w[NORM, lane] > FRAME_LIMIT:
+            if w[OUTCOME, lane] != RUNNING:
+                if k >= 0:
+                    finish(w, lane, ends[k])
+                    end_frames[k], outcomes[k] = frame[lane], int(w[OUTCOME, lane])
+                    busy -= 1
+                path[lane], frame[lane] = begin(
+                    w, lane, start, target, points, frames, chosen, taken
+                )
+                taken += 1
+            elif w[NORM, lane] > FRAME_LIMIT:
                 turn = largest(w, lane)
                 if turn != 0:
-                    frames[k] ^= turn
+                    frame[lane] ^= turn
                     turn_points(w, lane, turn)
-                    load(w, lane, start, target, frames[k])
+                    load(w, lane, start, target, frame[lane])
     return steps
 
 
@@ -152,9 +154,15 @@ def begin(
     target: Floats,
     points: Floats,
     frames: Integers,
-    k: int,
-) -> None:
-    """Put a lane at the start of path k."""
+    chosen: Integers,
+    taken: int,
+) -> tuple[int, int]:
+    """Put a lane at the start of the next path; return which that is, and its frame.
+
+    When none is left, -1: the lane runs along with the last one again, though nobody looks. Left
+    where it ended, its imaginary parts would shrink to numbers that processors are slow with.
+    """
+    k = chosen[min(taken, chosen.size - 1)]
     load(w, lane, start, target, frames[k])
     for n in range(POINTS, ROWS):
         w[n, lane] = 0.0
@@ -162,14 +170,14 @@ def begin(
         w[POINTS + n, lane] = points[k, n]
     w[FORMER, lane] = FAR_PAST
     w[FORMER + 1, lane] = FAR_PAST * FAR_PAST
+    return (k if taken < chosen.size else -1), frames[k]
 
 
 @spliced
-def finish(w: Floats, lane: int, k: int, points: Floats, outcomes: Integers) -> None:
-    """Write where path k ended, and how."""
+def finish(w: Floats, lane: int, end: Floats) -> None:
+    """Write where a lane's path ended."""
     for n in range(10):
-        points[k, n] = w[GUESS + n, lane]
-    outcomes[k] = int(w[OUTCOME, lane])
+        end[n] = w[GUESS + n, lane]
 
 
 @spliced

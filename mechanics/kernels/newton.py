@@ -167,11 +167,18 @@ def crossed(g: Vector, a: Vector, b: Vector, c: Vector) -> tuple[Vector, Vector,
 
 
 @spliced
-def shift(w: Floats, row: int, i: int, share: float, v: Vector) -> None:
-    """Add share v to three numbers."""
-    w[row, i] += share * v[0]
-    w[row + 1, i] += share * v[1]
-    w[row + 2, i] += share * v[2]
+def part(share: float, x: float, y: float, z: float) -> Vector:
+    """Return share (x, y, z), and of nothing nothing, whatever x, y and z are."""
+    some = share != 0.0
+    return share * x if some else 0.0, share * y if some else 0.0, share * z if some else 0.0
+
+
+@spliced
+def shift(w: Floats, row: int, i: int, v: Vector) -> None:
+    """Add v to three numbers."""
+    w[row, i] += v[0]
+    w[row + 1, i] += v[1]
+    w[row + 2, i] += v[2]
 
 
 @spliced
@@ -181,9 +188,9 @@ def turn(w: Floats, i: int, g: Vector) -> None:
     d, e, f = crossed(g, a, b, c)
     s, t, u = crossed(g, d, e, f)
     share = 2.0 / (1.0 + dot(g, g))
-    shift(w, ROTATION, i, share, (d[0] + s[0], d[1] + s[1], d[2] + s[2]))
-    shift(w, ROTATION + 3, i, share, (e[0] + t[0], e[1] + t[1], e[2] + t[2]))
-    shift(w, ROTATION + 6, i, share, (f[0] + u[0], f[1] + u[1], f[2] + u[2]))
+    shift(w, ROTATION, i, part(share, d[0] + s[0], d[1] + s[1], d[2] + s[2]))
+    shift(w, ROTATION + 3, i, part(share, e[0] + t[0], e[1] + t[1], e[2] + t[2]))
+    shift(w, ROTATION + 6, i, part(share, f[0] + u[0], f[1] + u[1], f[2] + u[2]))
 
 
 @spliced
@@ -198,14 +205,13 @@ def advance(w: Floats, trust: float) -> None:
         scale = w[SCALE, i]
         moved = math.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2) / scale
         turned = math.sqrt(step[3] ** 2 + step[4] ** 2 + step[5] ** 2)
-        share = trust / max(max(moved, turned), trust)
-        share = share if worst > ROUNDING * scale * scale else 0.0
-        share *= w[MOVING, i]
-        shift(w, POSITION, i, share, (step[0], step[1], step[2]))
-        half = 0.5 * share
-        turn(w, i, (half * step[3], half * step[4], half * step[5]))
+        moving = w[MOVING, i] if worst > ROUNDING * scale * scale else 0.0
+        # Bounded apart: a small platform's turns, hardly known at first, must not stop its motion.
+        share, half = moving * trust / max(moved, trust), 0.5 * moving * trust / max(turned, trust)
+        shift(w, POSITION, i, part(share, step[0], step[1], step[2]))
+        turn(w, i, part(half, step[3], step[4], step[5]))
         w[ITERATIONS, i] += w[MOVING, i]
-        moves = (share > 0.0) & (moved * moved + turned * turned > STILL)
+        moves = (moving > 0.0) & (moved * moved + turned * turned > STILL)
         w[MOVING, i] = 1.0 if moves else 0.0
 
 
