@@ -103,12 +103,14 @@ def _each_once(found: Floats) -> Floats:
     while len(found):
         kept.append(found[0])
         found = found[np.abs(found - found[0]).max(axis=1) > 1e-6]
-    return np.array(kept).reshape(-1, 12)
+    rows: Floats = np.array(kept).reshape(-1, 12)
+    return rows
 
 
 def _hexagon(radius: float, half_angle: float) -> Floats:
     angles = np.repeat(np.arange(3) * 2 * math.pi / 3, 2) + np.tile([-half_angle, half_angle], 3)
-    return radius * np.c_[np.cos(angles), np.sin(angles), np.zeros(6)]
+    corners: Floats = radius * np.c_[np.cos(angles), np.sin(angles), np.zeros(6)]
+    return corners
 
 
 def _general(random: Random) -> tuple[Floats, Floats]:
