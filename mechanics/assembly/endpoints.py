@@ -11,7 +11,7 @@ import numpy as np
 
 from mechanics.arrays import Booleans, Complexes, Floats, Integers
 from mechanics.kernels.endpoints import nearest
-from mechanics.kernels.homotopy import ARRIVED, AT_INFINITY, LOST, SINGULAR
+from mechanics.kernels.path_steps import ARRIVED, AT_INFINITY, LOST, SINGULAR
 
 INFINITE = 1e-7
 """A solution of this |h| / |e|^2 or less is no pose."""

@@ -25,7 +25,8 @@ from mechanics.assembly.rods import Poses, Rods, distinct, improve, joined, sear
 from mechanics.assembly.starts import PATHS, Start, stored
 from mechanics.errors import GeometryError
 from mechanics.kernels.endpoints import from_frames
-from mechanics.kernels.homotopy import CAREFUL, LOST, SWIFT, Pace, track
+from mechanics.kernels.homotopy import track
+from mechanics.kernels.path_steps import CAREFUL, LOST, SWIFT, Pace
 
 Route = Literal["homotopy", "retracked", "restarted", "multistart"]
 
