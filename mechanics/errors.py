@@ -33,6 +33,18 @@ class PoseError(MechanicsError):
         self.coordinates = coordinates
 
 
+class ActuatorsError(MechanicsError):
+    """Drive coordinates whose shape does not fit the mechanism's legs, or the guesses beside."""
+
+    def __init__(self, given: tuple[int, ...], legs: int, *, rows: int | None = None) -> None:
+        count = "rows" if rows is None else str(rows)
+        super().__init__(
+            f"actuators must have shape ({count}, {legs}), one column per leg; given {given}"
+        )
+        self.given = given
+        self.legs = legs
+
+
 class WorkingModeError(MechanicsError):
     """Signs that are no working mode of the mechanism."""
 

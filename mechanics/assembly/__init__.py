@@ -1,0 +1,1 @@
+"""Assembly modes: where the platform can be while the drives stand still, one way a file."""

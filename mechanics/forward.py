@@ -1,0 +1,190 @@
+"""Forward kinematics: where the platform can be at given drives, all its assembly modes."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from mechanics.arrays import Floats
+from mechanics.assembly import spheres, spherical, tetrahedra, turning
+from mechanics.assembly.braked import BrakedLegs
+from mechanics.assembly.guess import STEPS, close_legs
+from mechanics.assembly.proposals import Proposals
+from mechanics.assembly.settling import Modes, describe, loose, settle
+from mechanics.assembly.spatial import spatial_modes
+from mechanics.errors import ActuatorsError
+from mechanics.mechanism import Mechanism, WorkingMode
+from mechanics.rotations import coordinates
+
+_BLOCK = 2048
+"""Rows answered together, so that memory does not grow with the request."""
+
+
+IMPOSSIBLE = "impossible drives"
+"""The route where drives cannot stand so: a strut of no length."""
+
+
+@dataclass(frozen=True)
+class AssemblyMode:
+    """One place of the platform at which the legs close.
+
+    Parameters
+    ----------
+    pose : array, shape (coordinates,). [m, rad]
+    working_mode : the signs with which the inverse solution gives the drives back.
+    determinant : of Jx as it is; modes of one sign are on one side of singularities of type 2,
+        and one that is 0 is two modes in one. [m to the number of turns]
+    residual : the greatest error of a rod's length over the mechanism's greatest length.
+    """
+
+    pose: Floats
+    working_mode: WorkingMode
+    determinant: float
+    residual: float
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """All that is found for one row of drive coordinates.
+
+    Parameters
+    ----------
+    modes : by falling determinant; none where the drives are out of reach.
+    route : how they were found: `closed form`, `one angle`, `tetrahedra`, a route of
+        `mechanics.assembly.spatial`, or `IMPOSSIBLE`.
+    certified : whether these are all. Not so where the platform can move while the drives stand
+        still, and where the route itself cannot tell.
+    """
+
+    modes: tuple[AssemblyMode, ...]
+    route: str
+    certified: bool
+
+
+@dataclass(frozen=True)
+class NearbyMode:
+    """Where Newton's iteration from a guess has led; `mode` holds the drives only if converged."""
+
+    mode: AssemblyMode
+    converged: bool
+    iterations: int
+
+
+def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
+    """Return all assembly modes at each row of drive coordinates, each once.
+
+    Parameters
+    ----------
+    mechanism : its working mode does not matter: a mode tells its own.
+    actuators : array, shape (rows, legs). [rad or m]
+
+    Raises
+    ------
+    ActuatorsError : `actuators` has another number of columns than there are legs.
+    """
+    columns = _columns(mechanism, actuators)
+    found: list[Assembly] = []
+    for first in range(0, columns.shape[1], _BLOCK):
+        found += _block(mechanism, columns[:, first : first + _BLOCK])
+    return found
+
+
+def nearby_modes(
+    mechanism: Mechanism, actuators: Floats, guesses: Floats, iterations: int = STEPS
+) -> list[NearbyMode]:
+    """Return the mode to which Newton's iteration leads from each row's guess.
+
+    Not to converge is an answer: the pose is then the best that was met.
+
+    Parameters
+    ----------
+    actuators : array, shape (rows, legs). [rad or m]
+    guesses : array, shape (rows, coordinates). [m, rad]
+    iterations : how many steps are tried at most.
+
+    Raises
+    ------
+    ActuatorsError, PoseError : another number of columns than legs, or than coordinates.
+
+    References
+    ----------
+    Glazunov et al., the iterative solution of the direct problem.
+    """
+    legs = BrakedLegs(mechanism, _columns(mechanism, actuators))
+    start = mechanism.columns(guesses)
+    if start.shape[1] != legs.actuators.shape[1]:
+        raise ActuatorsError(np.shape(actuators), mechanism.leg_count, rows=start.shape[1])
+    with np.errstate(invalid="ignore", divide="ignore"):
+        closed = close_legs(legs, start, iterations)
+        modes = describe(legs, np.arange(start.shape[1]), closed.poses)
+    return [
+        NearbyMode(_mode(modes, i), bool(closed.converged[i]), int(closed.iterations[i]))
+        for i in range(start.shape[1])
+    ]
+
+
+def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
+    rows = np.asarray(actuators, dtype=float)
+    if rows.ndim != 2 or rows.shape[1] != mechanism.leg_count:
+        raise ActuatorsError(rows.shape, mechanism.leg_count)
+    return np.ascontiguousarray(rows.T)
+
+
+def _block(mechanism: Mechanism, columns: Floats) -> list[Assembly]:
+    legs = BrakedLegs(mechanism, columns)
+    possible = np.flatnonzero(legs.possible)
+    found = [Assembly((), IMPOSSIBLE, True)] * columns.shape[1]
+    if not possible.size:
+        return found
+    braked = legs.take(possible)
+    proposals = _proposals(braked)
+    modes = settle(braked, proposals)
+    certified = proposals.certified.copy()
+    certified[modes.cases[loose(braked, modes)]] = False
+    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
+    every = [_mode(modes, i) for i in range(modes.cases.size)]
+    for case, row in enumerate(possible):
+        own = tuple(every[bounds[case] : bounds[case + 1]])
+        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
+    return found
+
+
+def _mode(modes: Modes, i: int) -> AssemblyMode:
+    return AssemblyMode(
+        modes.poses[:, i].copy(),
+        tuple(modes.working_modes[:, i].tolist()),
+        float(modes.determinants[i]),
+        float(modes.residuals[i]),
+    )
+
+
+def _proposals(legs: BrakedLegs) -> Proposals:
+    motion = legs.mechanism.motion.name
+    if motion == "spatial":
+        found = tetrahedra.structure_of(legs)
+        return tetrahedra.propose(legs, found) if found else _six_rods(legs)
+    routes: dict[str, Callable[[BrakedLegs], Proposals]] = {
+        "planar_translation": spheres.propose,
+        "translation": spheres.propose,
+        "planar": turning.propose,
+        "schoenflies": turning.propose,
+        "spherical": spherical.propose,
+    }
+    return routes[motion](legs)
+
+
+def _six_rods(legs: BrakedLegs) -> Proposals:
+    """Return proposals for all modes of six rods without structure, one case at a time."""
+    starts, points = legs.rod_starts, legs.mechanism.legs.platform_point
+    found = [
+        spatial_modes(starts[:, :, case], points, legs.rod_lengths[:, case])
+        for case in range(starts.shape[2])
+    ]
+    positions = np.concatenate([one.positions for one in found])
+    rotations = np.concatenate([one.rotations for one in found]).reshape(-1, 9)
+    return Proposals(
+        np.repeat(np.arange(len(found)), [len(one.positions) for one in found]),
+        coordinates(legs.mechanism.motion, positions.T, rotations.T),
+        np.array([one.certified for one in found], dtype=bool),
+        tuple(one.route for one in found),
+    )
