@@ -6,6 +6,7 @@ from typing import Any
 
 from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.effort import Effort
+from analyses.forward_kinematics import ForwardKinematics
 from analyses.inverse_kinematics import InverseKinematics
 from analyses.kinds import describe
 from analyses.mechanisms import check_mechanism
@@ -15,7 +16,7 @@ from analyses.velocity import Velocity
 from analyses.workspace import Workspace
 from schemas.analyses import Request, parse_request
 from schemas.estimates import Estimate
-from schemas.examples import EXAMPLES
+from schemas.examples import EXAMPLES, HEXAPOD_AT_REST
 from schemas.kinds import Kind
 from schemas.mechanisms import KINDS, StoredMechanism
 from schemas.quantities import Model
@@ -23,7 +24,14 @@ from schemas.quantities import Model
 ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
     {
         analysis.name: analysis
-        for analysis in (InverseKinematics(), Velocity(), Effort(), Singularity(), Workspace())
+        for analysis in (
+            InverseKinematics(),
+            ForwardKinematics(),
+            Velocity(),
+            Effort(),
+            Singularity(),
+            Workspace(),
+        )
     }
 )
 
@@ -92,3 +100,4 @@ def warm() -> None:
     """Answer every worked example, so that all kernels are compiled and loaded."""
     for example in EXAMPLES:
         answer(example.request)
+    answer(HEXAPOD_AT_REST)

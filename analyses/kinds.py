@@ -24,8 +24,6 @@ def describe(name: str, analyses: list[str]) -> Kind:
     example = STARTERS[name]
     mechanism = build(example)
     motion = mechanism.motion
-    # A workspace is of positions; a platform that only turns has none.
-    offered = [a for a in analyses if a != "workspace" or motion.translations]
     return Kind(
         kind=name,
         title=(spec.__doc__ or name).split("\n")[0],
@@ -33,7 +31,7 @@ def describe(name: str, analyses: list[str]) -> Kind:
         coordinates=list(motion.coordinates),
         coordinate_units=coordinate_units(motion),
         drives=_drives(mechanism),
-        analyses=offered,
+        analyses=analyses,
         json_schema=spec.model_json_schema(),
         example=example,
         presets=presets,

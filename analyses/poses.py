@@ -36,10 +36,12 @@ def check_poses(mechanism: Mechanism, poses: Sequence[Sequence[float]]) -> None:
             )
 
 
-def check_rows(pointer: str, rows: Sequence[Sequence[float]], poses: int, width: int) -> None:
-    """Raise AnalysisError unless there is a row of `width` numbers for each pose."""
-    if len(rows) != poses:
-        detail = f"must have one row per pose, that is {poses}; given {len(rows)}"
+def check_rows(
+    pointer: str, rows: Sequence[Sequence[float]], items: int, width: int, item: str = "pose"
+) -> None:
+    """Raise AnalysisError unless there is a row of `width` numbers for each item."""
+    if len(rows) != items:
+        detail = f"must have one row per {item}, that is {items}; given {len(rows)}"
         raise AnalysisError((pointer, detail))
     for number, row in enumerate(rows):
         if len(row) != width:

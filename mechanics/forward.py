@@ -20,6 +20,9 @@ _BLOCK = 2048
 """Rows answered together, so that memory does not grow with the request."""
 
 
+DOUBLE = 1e-6
+"""A determinant, turns measured at the characteristic length, that counts as 0."""
+
 IMPOSSIBLE = "impossible drives"
 """The route where drives cannot stand so: a strut of no length."""
 
@@ -121,6 +124,15 @@ def nearby_modes(
         NearbyMode(_mode(modes, i), bool(closed.converged[i]), int(closed.iterations[i]))
         for i in range(start.shape[1])
     ]
+
+
+def side(mechanism: Mechanism, determinant: float) -> int:
+    """Return the sign of det Jx, and 0 where a mode is two in one.
+
+    Such a mode is known to about the root of rounding only, and so is its determinant.
+    """
+    lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
+    return 0 if abs(determinant) <= DOUBLE * lengths else int(np.sign(determinant))
 
 
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:

@@ -108,22 +108,3 @@ def schoenflies(axis: Floats) -> Motion:
     twists[:3, :3] = np.eye(3)
     twists[3:, 3] = unit
     return Motion("schoenflies", ("x", "y", "z", "theta"), twists, TURNING_ABOUT_AXIS, unit)
-
-
-def fixed_axes_angles(rotations: Floats) -> Floats:
-    """Return rx, ry and rz, shape (3, poses), of R = Rz Ry Rx; rx is 0 where ry is +-pi/2. [rad]
-
-    Parameters
-    ----------
-    rotations : array, shape (3, 3, poses).
-    """
-    cosine = np.hypot(rotations[0, 0], rotations[1, 0])
-    upright = cosine < 1e-12
-    rx = np.where(upright, 0.0, np.arctan2(rotations[2, 1], rotations[2, 2]))
-    ry = np.arctan2(-rotations[2, 0], cosine)
-    rz = np.where(
-        upright,
-        np.arctan2(-rotations[0, 1], rotations[1, 1]),
-        np.arctan2(rotations[1, 0], rotations[0, 0]),
-    )
-    return np.stack([rx, ry, rz])

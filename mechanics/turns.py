@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechanics.arrays import Floats, Integers
-from mechanics.motions import Motion, fixed_axes_angles
+from mechanics.motions import Motion
+from mechanics.rotations import fixed_axis_angles
 
 
 @dataclass(frozen=True)
@@ -69,4 +70,4 @@ class Turn:
         c, s = np.cos(angles), np.sin(angles)
         x, y = rotations[:, 0].copy(), rotations[:, 1].copy()
         rotations[:, 0], rotations[:, 1] = c * x + s * y, c * y - s * x
-        return fixed_axes_angles(rotations)
+        return fixed_axis_angles(rotations.reshape(9, -1))

@@ -5,6 +5,11 @@ from typing import Annotated
 from pydantic import Field, TypeAdapter
 
 from schemas.effort import EffortRequest, EffortResult
+from schemas.forward_kinematics import (
+    ForwardKinematicsGuessResult,
+    ForwardKinematicsRequest,
+    ForwardKinematicsResult,
+)
 from schemas.inverse_kinematics import (
     InverseKinematicsAllModesResult,
     InverseKinematicsRequest,
@@ -16,6 +21,7 @@ from schemas.workspace import WorkspaceRequest, WorkspaceResult
 
 Request = (
     InverseKinematicsRequest
+    | ForwardKinematicsRequest
     | VelocityRequest
     | EffortRequest
     | SingularityRequest
@@ -25,6 +31,8 @@ AnalysisRequest = Annotated[Request, Field(discriminator="analysis")]
 AnalysisResult = (
     InverseKinematicsResult
     | InverseKinematicsAllModesResult
+    | ForwardKinematicsResult
+    | ForwardKinematicsGuessResult
     | VelocityResult
     | EffortResult
     | SingularityResult

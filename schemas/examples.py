@@ -12,8 +12,10 @@ from typing import Any, NamedTuple
 from schemas.analyses import Request
 from schemas.effort import EffortRequest, LoadSize
 from schemas.families import FiveBar
+from schemas.forward_kinematics import ForwardKinematicsRequest
 from schemas.inverse_kinematics import InverseKinematicsRequest
 from schemas.singularity import SingularityRequest
+from schemas.starters import STARTERS
 from schemas.velocity import VelocityRequest
 from schemas.workspace import GridAxis, WorkspaceRequest
 
@@ -49,6 +51,33 @@ _INVERSE = Example(
             }
             for leg in (0, 1)
         ],
+    },
+)
+
+_FORWARD = Example(
+    "Both cranks upright: the rods meet above the elbows or below them",
+    ForwardKinematicsRequest(
+        analysis="forward_kinematics",
+        mechanism=_FIVE_BAR,
+        actuators=[[math.pi / 2, math.pi / 2]],
+    ),
+    {
+        "analysis": "forward_kinematics",
+        "determinant_unit": "-",
+        "assembly_modes": [
+            [
+                {
+                    "pose": [0.0, 0.5 + side * 0.4],
+                    "working_mode": [1, -1],
+                    "determinant": side * 0.96,
+                    "side": side,
+                    "residual": 0.0,
+                }
+                for side in (1, -1)
+            ]
+        ],
+        "route": ["closed form"],
+        "certified": [True],
     },
 )
 
@@ -161,4 +190,11 @@ _WORKSPACE = Example(
     },
 )
 
-EXAMPLES = (_INVERSE, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE)
+EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE)
+
+HEXAPOD_AT_REST = ForwardKinematicsRequest(
+    analysis="forward_kinematics",
+    mechanism=STARTERS["gough_stewart"],
+    actuators=[[0.8, 0.81, 0.82, 0.83, 0.84, 0.85]],
+)
+"""Asks for what takes the longest to compile."""

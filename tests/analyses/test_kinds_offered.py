@@ -76,13 +76,17 @@ def test_every_analysis_offered_answers(kind: Kind) -> None:
     common: Document = {"mechanism": document, "poses": [pose]}
     requests: dict[str, Document] = {
         "inverse_kinematics": common,
+        "forward_kinematics": {
+            "mechanism": document,
+            "actuators": ask({"analysis": "inverse_kinematics", **common})["actuators"],
+        },
         "velocity": {**common, "actuator_rates": [[0.1] * count]},
         "effort": {**common, "load": {"force": 1.0}},
         "singularity": common,
         "workspace": {
             "mechanism": document,
             "class": "theoretical",
-            "type": "constant_orientation",
+            "type": "constant_orientation" if kind.motion != "spherical" else "orientation",
             "grid": [
                 {"coordinate": kind.coordinates[0], "min": pose[0], "max": pose[0], "step": 1}
             ],
@@ -93,6 +97,8 @@ def test_every_analysis_offered_answers(kind: Kind) -> None:
         answer = ask({"analysis": analysis, **requests[analysis]})
         if analysis == "workspace":
             assert answer["inside"] == 1
+        elif analysis == "forward_kinematics":
+            assert answer["assembly_modes"][0]
         else:
             assert answer["obstacles"] == []
 

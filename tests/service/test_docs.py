@@ -13,7 +13,14 @@ from tests.service.services import Service
 
 COMMITTED = Path(__file__).parents[2] / "openapi.json"
 VERBS = {"get", "put", "post", "delete", "patch", "head", "options"}
-ANALYSES = ["inverse_kinematics", "velocity", "effort", "singularity", "workspace"]
+ANALYSES = [
+    "inverse_kinematics",
+    "forward_kinematics",
+    "velocity",
+    "effort",
+    "singularity",
+    "workspace",
+]
 WITH_ANALYSIS = ["/v1/analyses", "/v1/estimates", "/v1/jobs"]
 
 

@@ -63,10 +63,17 @@ def test_a_planar_3rrr_also_turns(refusing: Service) -> None:
     assert kind["drives"] == ["crank"] * 3
 
 
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "spherical_3rrr"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_a_kind_offers_every_analysis(refusing: Service, kind: str) -> None:
     offered = refusing.get(f"/v1/kinds/{kind}").json()["analyses"]
-    assert offered == ["inverse_kinematics", "velocity", "effort", "singularity", "workspace"]
+    assert offered == [
+        "inverse_kinematics",
+        "forward_kinematics",
+        "velocity",
+        "effort",
+        "singularity",
+        "workspace",
+    ]
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -2,6 +2,9 @@
 
 from .actuator_limit import ActuatorLimit
 from .arc import Arc
+from .assembly_mode import AssemblyMode
+from .assembly_mode_side_type_0 import AssemblyModeSideType0
+from .assembly_mode_working_mode_item import AssemblyModeWorkingModeItem
 from .bounds import Bounds
 from .component import Component
 from .component_centroid import ComponentCentroid
@@ -31,6 +34,9 @@ from .field_summary import FieldSummary
 from .field_summary_at_max_type_0 import FieldSummaryAtMaxType0
 from .five_bar import FiveBar
 from .five_bar_working_mode_type_0_item import FiveBarWorkingModeType0Item
+from .forward_kinematics_guess_result import ForwardKinematicsGuessResult
+from .forward_kinematics_request import ForwardKinematicsRequest
+from .forward_kinematics_result import ForwardKinematicsResult
 from .geared_decoupled import GearedDecoupled
 from .geared_decoupled_working_mode_type_0_item import GearedDecoupledWorkingModeType0Item
 from .get_figure_format_type_0 import GetFigureFormatType0
@@ -58,6 +64,7 @@ from .inverse_kinematics_request import InverseKinematicsRequest
 from .inverse_kinematics_request_working_mode_type_0_item import InverseKinematicsRequestWorkingModeType0Item
 from .inverse_kinematics_result import InverseKinematicsResult
 from .inverse_kinematics_result_working_mode_item import InverseKinematicsResultWorkingModeItem
+from .iteration import Iteration
 from .job import Job
 from .job_error import JobError
 from .job_error_kind import JobErrorKind
@@ -120,6 +127,9 @@ from .workspace_result_working_mode_type_0_item import WorkspaceResultWorkingMod
 __all__ = (
     "ActuatorLimit",
     "Arc",
+    "AssemblyMode",
+    "AssemblyModeSideType0",
+    "AssemblyModeWorkingModeItem",
     "Bounds",
     "Component",
     "ComponentCentroid",
@@ -149,6 +159,9 @@ __all__ = (
     "FieldSummaryAtMaxType0",
     "FiveBar",
     "FiveBarWorkingModeType0Item",
+    "ForwardKinematicsGuessResult",
+    "ForwardKinematicsRequest",
+    "ForwardKinematicsResult",
     "GearedDecoupled",
     "GearedDecoupledWorkingModeType0Item",
     "GetFigureFormatType0",
@@ -174,6 +187,7 @@ __all__ = (
     "InverseKinematicsRequestWorkingModeType0Item",
     "InverseKinematicsResult",
     "InverseKinematicsResultWorkingModeItem",
+    "Iteration",
     "Job",
     "JobError",
     "JobErrorKind",

@@ -7,6 +7,9 @@ from ... import errors
 from ...client import AuthenticatedClient, Client
 from ...models.effort_request import EffortRequest
 from ...models.effort_result import EffortResult
+from ...models.forward_kinematics_guess_result import ForwardKinematicsGuessResult
+from ...models.forward_kinematics_request import ForwardKinematicsRequest
+from ...models.forward_kinematics_result import ForwardKinematicsResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.inverse_kinematics_result import InverseKinematicsResult
@@ -23,7 +26,12 @@ from ...types import UNSET, Response, Unset
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> dict[str, Any]:
@@ -40,6 +48,8 @@ def _get_kwargs(
     }
 
     if isinstance(body, InverseKinematicsRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, ForwardKinematicsRequest):
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, VelocityRequest):
         _kwargs["json"] = body.to_dict()
@@ -60,6 +70,8 @@ def _parse_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -75,6 +87,8 @@ def _parse_response(
             data: object,
         ) -> (
             EffortResult
+            | ForwardKinematicsGuessResult
+            | ForwardKinematicsResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
             | SingularityResult
@@ -100,7 +114,7 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_2 = VelocityResult.from_dict(data)
+                response_200_type_2 = ForwardKinematicsResult.from_dict(data)
 
                 return response_200_type_2
             except (TypeError, ValueError, AttributeError, KeyError):
@@ -108,7 +122,7 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_3 = EffortResult.from_dict(data)
+                response_200_type_3 = ForwardKinematicsGuessResult.from_dict(data)
 
                 return response_200_type_3
             except (TypeError, ValueError, AttributeError, KeyError):
@@ -116,16 +130,32 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_4 = SingularityResult.from_dict(data)
+                response_200_type_4 = VelocityResult.from_dict(data)
 
                 return response_200_type_4
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_5 = EffortResult.from_dict(data)
+
+                return response_200_type_5
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_6 = SingularityResult.from_dict(data)
+
+                return response_200_type_6
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_5 = WorkspaceResult.from_dict(data)
+            response_200_type_7 = WorkspaceResult.from_dict(data)
 
-            return response_200_type_5
+            return response_200_type_7
 
         response_200 = _parse_response_200(response.json())
 
@@ -171,6 +201,8 @@ def _build_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -190,11 +222,18 @@ def _build_response(
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -210,15 +249,15 @@ def sync_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -237,11 +276,18 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -258,15 +304,15 @@ def sync(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return sync_detailed(
@@ -280,11 +326,18 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -300,15 +353,15 @@ async def asyncio_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -325,11 +378,18 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     prefer: None | str | Unset = UNSET,
     idempotency_key: None | str | Unset = UNSET,
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -346,15 +406,15 @@ async def asyncio(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return (

@@ -7,6 +7,7 @@ from ... import errors
 from ...client import AuthenticatedClient, Client
 from ...models.effort_request import EffortRequest
 from ...models.estimate import Estimate
+from ...models.forward_kinematics_request import ForwardKinematicsRequest
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.problem import Problem
 from ...models.singularity_request import SingularityRequest
@@ -17,7 +18,12 @@ from ...types import Response
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
 
@@ -27,6 +33,8 @@ def _get_kwargs(
     }
 
     if isinstance(body, InverseKinematicsRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, ForwardKinematicsRequest):
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, VelocityRequest):
         _kwargs["json"] = body.to_dict()
@@ -92,15 +100,20 @@ def _build_response(*, client: AuthenticatedClient | Client, response: httpx.Res
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
 ) -> Response[Estimate | Problem]:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -124,15 +137,20 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
 ) -> Estimate | Problem | None:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -151,15 +169,20 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
 ) -> Response[Estimate | Problem]:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -181,15 +204,20 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
 ) -> Estimate | Problem | None:
     """Estimate
 
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

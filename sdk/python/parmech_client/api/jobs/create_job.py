@@ -6,6 +6,7 @@ import httpx
 from ... import errors
 from ...client import AuthenticatedClient, Client
 from ...models.effort_request import EffortRequest
+from ...models.forward_kinematics_request import ForwardKinematicsRequest
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.job import Job
 from ...models.problem import Problem
@@ -17,7 +18,12 @@ from ...types import UNSET, Response, Unset
 
 def _get_kwargs(
     *,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> dict[str, Any]:
     headers: dict[str, Any] = {}
@@ -30,6 +36,8 @@ def _get_kwargs(
     }
 
     if isinstance(body, InverseKinematicsRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, ForwardKinematicsRequest):
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, VelocityRequest):
         _kwargs["json"] = body.to_dict()
@@ -100,7 +108,12 @@ def _build_response(*, client: AuthenticatedClient | Client, response: httpx.Res
 def sync_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[Job | Problem]:
     """Create Job
@@ -109,8 +122,8 @@ def sync_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -135,7 +148,12 @@ def sync_detailed(
 def sync(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Job | Problem | None:
     """Create Job
@@ -144,8 +162,8 @@ def sync(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -165,7 +183,12 @@ def sync(
 async def asyncio_detailed(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Response[Job | Problem]:
     """Create Job
@@ -174,8 +197,8 @@ async def asyncio_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -198,7 +221,12 @@ async def asyncio_detailed(
 async def asyncio(
     *,
     client: AuthenticatedClient | Client,
-    body: EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest,
+    body: EffortRequest
+    | ForwardKinematicsRequest
+    | InverseKinematicsRequest
+    | SingularityRequest
+    | VelocityRequest
+    | WorkspaceRequest,
     idempotency_key: None | str | Unset = UNSET,
 ) -> Job | Problem | None:
     """Create Job
@@ -207,8 +235,8 @@ async def asyncio(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | InverseKinematicsRequest | SingularityRequest | VelocityRequest |
-            WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
+            SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

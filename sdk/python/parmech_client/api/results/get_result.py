@@ -7,6 +7,8 @@ import httpx
 from ... import errors
 from ...client import AuthenticatedClient, Client
 from ...models.effort_result import EffortResult
+from ...models.forward_kinematics_guess_result import ForwardKinematicsGuessResult
+from ...models.forward_kinematics_result import ForwardKinematicsResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_result import InverseKinematicsResult
 from ...models.problem import Problem
@@ -34,6 +36,8 @@ def _parse_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -48,6 +52,8 @@ def _parse_response(
             data: object,
         ) -> (
             EffortResult
+            | ForwardKinematicsGuessResult
+            | ForwardKinematicsResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
             | SingularityResult
@@ -73,7 +79,7 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_2 = VelocityResult.from_dict(data)
+                response_200_type_2 = ForwardKinematicsResult.from_dict(data)
 
                 return response_200_type_2
             except (TypeError, ValueError, AttributeError, KeyError):
@@ -81,7 +87,7 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_3 = EffortResult.from_dict(data)
+                response_200_type_3 = ForwardKinematicsGuessResult.from_dict(data)
 
                 return response_200_type_3
             except (TypeError, ValueError, AttributeError, KeyError):
@@ -89,16 +95,32 @@ def _parse_response(
             try:
                 if not isinstance(data, dict):
                     raise TypeError()
-                response_200_type_4 = SingularityResult.from_dict(data)
+                response_200_type_4 = VelocityResult.from_dict(data)
 
                 return response_200_type_4
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_5 = EffortResult.from_dict(data)
+
+                return response_200_type_5
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_6 = SingularityResult.from_dict(data)
+
+                return response_200_type_6
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_5 = WorkspaceResult.from_dict(data)
+            response_200_type_7 = WorkspaceResult.from_dict(data)
 
-            return response_200_type_5
+            return response_200_type_7
 
         response_200 = _parse_response_200(response.json())
 
@@ -139,6 +161,8 @@ def _build_response(
     *, client: AuthenticatedClient | Client, response: httpx.Response
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -160,6 +184,8 @@ def sync_detailed(
     client: AuthenticatedClient | Client,
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -179,7 +205,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -199,6 +225,8 @@ def sync(
     client: AuthenticatedClient | Client,
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -219,7 +247,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return sync_detailed(
@@ -234,6 +262,8 @@ async def asyncio_detailed(
     client: AuthenticatedClient | Client,
 ) -> Response[
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -253,7 +283,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -271,6 +301,8 @@ async def asyncio(
     client: AuthenticatedClient | Client,
 ) -> (
     EffortResult
+    | ForwardKinematicsGuessResult
+    | ForwardKinematicsResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -291,7 +323,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return (

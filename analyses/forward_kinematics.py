@@ -1,0 +1,182 @@
+"""Forward kinematics: all assembly modes at drive positions, or the one reached from a guess."""
+
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
+from analyses.columns import BYTES_PER_NUMBER, nullable
+from analyses.errors import AnalysisError
+from analyses.mechanisms import build
+from analyses.poses import check_rows
+from analyses.units import determinant_unit
+from mechanics.arrays import Floats
+from mechanics.forward import AssemblyMode as Mode
+from mechanics.forward import assembly_modes, nearby_modes, side
+from mechanics.mechanism import Mechanism
+from schemas.forward_kinematics import (
+    AssemblyMode,
+    ForwardKinematicsGuessResult,
+    ForwardKinematicsRequest,
+    ForwardKinematicsResult,
+    Iteration,
+)
+from schemas.quantities import Model
+
+SECONDS_ALL = {
+    "planar_translation": 5e-5,
+    "translation": 5e-5,
+    "planar": 1.5e-4,
+    "schoenflies": 3e-4,
+    "spherical": 3e-4,
+    "spatial": 4e-3,
+}
+"""Of all modes of a row, by motion. [s]"""
+SECONDS_FROM_GUESS = 1e-4
+MODES = {
+    "planar_translation": 2,
+    "translation": 2,
+    "planar": 6,
+    "schoenflies": 8,
+    "spherical": 8,
+    "spatial": 40,
+}
+"""How many modes there are at most."""
+
+
+class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
+    """Answers `forward_kinematics`."""
+
+    name = "forward_kinematics"
+
+    def check(self, request: ForwardKinematicsRequest, node_limit: int) -> None:
+        """Raise AnalysisError if a row of drives or a guess does not fit the mechanism."""
+        mechanism = build(request.mechanism)
+        rows = request.actuators
+        for number, row in enumerate(rows):
+            _check_width(f"/actuators/{number}", row, mechanism.leg_count, "one per leg")
+        names = mechanism.motion.coordinates
+        if _one_for_all(request):
+            _check_width("/guess", _guesses(request)[0], len(names), ", ".join(names))
+        elif request.guess is not None:
+            check_rows("/guess", _guesses(request), len(rows), len(names), "row of actuators")
+
+    def items(self, request: ForwardKinematicsRequest) -> int:
+        """Return the number of rows."""
+        return len(request.actuators)
+
+    def seconds_per_item(self, request: ForwardKinematicsRequest) -> float:
+        """Return the cost of a row. [s]"""
+        if request.guess is not None:
+            return SECONDS_FROM_GUESS
+        return SECONDS_ALL[build(request.mechanism).motion.name]
+
+    def result_bytes(self, request: ForwardKinematicsRequest) -> int:
+        """Return the size of the modes in JSON, if there are as many as can be. [B]"""
+        mechanism = build(request.mechanism)
+        modes = 1 if request.guess is not None else MODES[mechanism.motion.name]
+        numbers = len(mechanism.motion.coordinates) + 4
+        return len(request.actuators) * modes * numbers * BYTES_PER_NUMBER
+
+    def compute(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
+        """Return the modes of the rows `start` to `stop`, and how many each row has."""
+        block = self._all if request.guess is None else self._from_guess
+        return by_blocks(partial(block, request), start, stop)
+
+    def _all(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
+        mechanism = build(request.mechanism)
+        found = assembly_modes(mechanism, _rows(request.actuators[start:stop]))
+        modes = [mode for one in found for mode in one.modes]
+        return {
+            "counts": np.array([len(one.modes) for one in found]),
+            "routes": np.array([one.route for one in found], dtype="U32"),
+            "certified": np.array([one.certified for one in found]),
+            **_columns(mechanism, modes),
+        }
+
+    def _from_guess(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
+        mechanism = build(request.mechanism)
+        own = slice(None) if _one_for_all(request) else slice(start, stop)
+        guesses = _rows(_guesses(request)[own])
+        drives = _rows(request.actuators[start:stop])
+        guesses = np.broadcast_to(guesses, (len(drives), guesses.shape[1]))
+        found = nearby_modes(mechanism, drives, guesses)
+        return {
+            "converged": np.array([one.converged for one in found]),
+            "iterations": np.array([one.iterations for one in found]),
+            **_columns(mechanism, [one.mode for one in found]),
+        }
+
+    def assemble(self, request: ForwardKinematicsRequest, stretches: Stretches) -> Model:
+        """Return the modes of all rows."""
+        arrays = joined(stretches())
+        unit = determinant_unit(build(request.mechanism))
+        modes = list(_modes(arrays))
+        if request.guess is not None:
+            return ForwardKinematicsGuessResult.model_construct(
+                analysis=self.name,
+                determinant_unit=unit,
+                assembly_modes=[
+                    [mode] if reached else []
+                    for mode, reached in zip(modes, arrays["converged"], strict=True)
+                ],
+                newton=list(_iterations(arrays)),
+            )
+        ends = np.cumsum(arrays["counts"]).tolist()
+        return ForwardKinematicsResult.model_construct(
+            analysis=self.name,
+            determinant_unit=unit,
+            assembly_modes=[modes[a:b] for a, b in zip([0, *ends[:-1]], ends, strict=True)],
+            route=arrays["routes"].tolist(),
+            certified=arrays["certified"].tolist(),
+        )
+
+
+def _guesses(request: ForwardKinematicsRequest) -> list[list[float]]:
+    guess: list[Any] = list(request.guess or [])
+    return [guess] if _one_for_all(request) else guess
+
+
+def _one_for_all(request: ForwardKinematicsRequest) -> bool:
+    return request.guess is not None and not any(isinstance(row, list) for row in request.guess)
+
+
+def _check_width(pointer: str, row: list[float], width: int, told: str) -> None:
+    if len(row) != width:
+        raise AnalysisError((pointer, f"must have {width} numbers ({told}); given {len(row)}"))
+
+
+def _rows(rows: list[list[float]]) -> Floats:
+    return np.array(rows, dtype=float)
+
+
+def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
+    """Return what is known of modes, one row each, also where there are none."""
+    coordinates, legs = len(mechanism.motion.coordinates), mechanism.leg_count
+    return {
+        "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
+        "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, legs),
+        "determinants": np.array([m.determinant for m in modes], dtype=float),
+        "sides": np.array([side(mechanism, m.determinant) for m in modes], dtype=int),
+        "residuals": np.array([m.residual for m in modes], dtype=float),
+    }
+
+
+def _modes(arrays: Arrays) -> Iterator[AssemblyMode]:
+    names = ("poses", "working_modes", "determinants", "sides", "residuals")
+    columns = [arrays[name].tolist() for name in names]
+    for pose, mode, determinant, sign, residual in zip(*columns, strict=True):
+        yield AssemblyMode.model_construct(
+            pose=pose, working_mode=mode, determinant=determinant, side=sign, residual=residual
+        )
+
+
+def _iterations(arrays: Arrays) -> Iterator[Iteration]:
+    poses, residuals = nullable(arrays["poses"]), nullable(arrays["residuals"])
+    columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), poses, residuals
+    for converged, iterations, pose, residual in zip(*columns, strict=True):
+        yield Iteration.model_construct(
+            converged=converged, iterations=iterations, pose=pose, residual=residual
+        )

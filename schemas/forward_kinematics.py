@@ -1,0 +1,88 @@
+"""`forward_kinematics`: where the platform is at drive positions, in every assembly mode."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from schemas.legged import Sign, WorkingMode
+from schemas.mechanisms import Mechanism
+from schemas.poses import MOST_POSES, Pose
+from schemas.quantities import Finite, Model
+
+ActuatorRows = Annotated[
+    list[list[Finite]],
+    Field(
+        min_length=1,
+        max_length=MOST_POSES,
+        description="One row a question, one drive coordinate per leg. Actuator limits are not "
+        "applied. [rad, m]",
+    ),
+]
+
+
+class ForwardKinematicsRequest(Model):
+    """Ask for the poses at drive positions: all of them, or the one reached from a guess."""
+
+    analysis: Literal["forward_kinematics"]
+    mechanism: Mechanism
+    actuators: ActuatorRows
+    guess: Pose | list[Pose] | None = Field(
+        default=None,
+        description="A pose, or one per row, from which Newton's iteration starts; the answer is "
+        "then where it led, and no other mode.",
+    )
+
+
+class AssemblyMode(Model):
+    """A pose at which the legs close."""
+
+    pose: list[float] = Field(description="In the order of the kind's coordinates. [m, rad]")
+    working_mode: WorkingMode = Field(
+        description="The branch in which the inverse gives these drives back."
+    )
+    determinant: float = Field(description="Of Jx as it is. [m to the number of turns]")
+    side: Sign | Literal[0] = Field(
+        description="The sign of det Jx: modes of one sign may be reached from each other without "
+        "a type 2 singularity, modes of two signs cannot; 0: singular, two modes in one."
+    )
+    residual: float = Field(
+        description="The greatest error of a rod's length over the mechanism's greatest length."
+    )
+
+
+class ForwardKinematicsResult(Model):
+    """All assembly modes, each once."""
+
+    analysis: Literal["forward_kinematics"]
+    determinant_unit: str
+    assembly_modes: list[list[AssemblyMode]] = Field(
+        description="Per row, by falling determinant; empty where the drives are out of reach."
+    )
+    route: list[str] = Field(
+        description="How they were found: closed form, one angle (the roots of a polynomial), "
+        "tetrahedra; of six rods homotopy, retracked, restarted or multistart; impossible drives."
+    )
+    certified: list[bool] = Field(
+        description="Whether these are all: not known where the platform can move while the "
+        "drives stand still, nor of multistart."
+    )
+
+
+class Iteration(Model):
+    """Where Newton's iteration led, and how."""
+
+    converged: bool
+    iterations: int
+    pose: list[float | None] = Field(description="The best that was met, converged or not.")
+    residual: float | None
+
+
+class ForwardKinematicsGuessResult(Model):
+    """The assembly mode reached from a guess."""
+
+    analysis: Literal["forward_kinematics"]
+    determinant_unit: str
+    assembly_modes: list[list[AssemblyMode]] = Field(
+        description="Per row the mode reached; empty where the iteration did not converge."
+    )
+    newton: list[Iteration]
