@@ -181,13 +181,15 @@ def _one_test(
     left, events = np.empty((2, starts.shape[0])), np.empty(2 * ARCS_PER_TEST)
     cells = np.empty((2, MOST_CELLS))
     d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
+    banded = _by_band(test, drive, leg, d)
     for i in range(counts.size):
         if counts[i] == 0:
             continue
         if rotations.shape[1] > 1:
             d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
+            banded = _by_band(test, drive, leg, d)
         here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
-        if _by_band(test, drive, leg, here):
+        if banded:
             low, high = _band(test, drive, leg, here) if test != SPAN else asked_band
             X = square(here)
             # Most poses are told without a trigonometric call, and without an array's.
@@ -351,14 +353,16 @@ def hold_at(
             continue
         leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
         d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
+        banded = _by_band(tests[k], drive, leg, d)
         low, high = bounds[k, 0], bounds[k, 1]
         for i in range(holds.size):
             if rotations.shape[1] > 1:
                 d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-            here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
-            if not _by_band(tests[k], drive, leg, here):
+                banded = _by_band(tests[k], drive, leg, d)
+            if not banded:
                 holds[i] = False
                 continue
+            here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
             if tests[k] != SPAN:
                 low, high = _band(tests[k], drive, leg, here)
             X = square(here)
