@@ -6,7 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
-from mechanics.kernels.lines import LIMITS, NOTHING
+from mechanics.kernels.line_ends import LIMITS, NOTHING
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
 

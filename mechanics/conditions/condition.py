@@ -26,7 +26,7 @@ class Condition(ABC):
     reason: str
     legs: tuple[int, ...]
     line_tests: tuple[int, ...] | None = None
-    """The test of each part that decides it along whole lines (`kernels.lines`), if there are."""
+    """The test of each part that decides it along whole lines, if there are."""
 
     @abstractmethod
     def check(self, block: Configuration) -> Floats:

@@ -5,7 +5,7 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
-from mechanics.kernels.lines import REACH
+from mechanics.kernels.line_ends import REACH
 from mechanics.mechanism import Mechanism
 
 
