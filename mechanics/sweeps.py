@@ -16,6 +16,8 @@ from mechanics.mechanism import Mechanism
 from mechanics.turns import Turn
 from mechanics.workspace import BLOCK, INSIDE
 
+NODES_SWEPT = 16384
+"""Nodes told together by closed forms alone."""
 NODES_SEARCHED = 128
 """Nodes whose arcs are searched together: each has hundreds of angles."""
 STRIDE = 8
@@ -136,7 +138,7 @@ class Sweep:
 
     @property
     def _together(self) -> int:
-        return BLOCK if swept(self.conditions) == len(self.conditions) else NODES_SEARCHED
+        return NODES_SWEPT if swept(self.conditions) == len(self.conditions) else NODES_SEARCHED
 
     def _block(self, nodes: Integers) -> tuple[Bytes, Floats]:
         poses = self.grid.poses_at(nodes)

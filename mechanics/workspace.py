@@ -11,14 +11,15 @@ from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
 from mechanics.kernels import runs as kernels
-from mechanics.kernels.lines import walk
+from mechanics.kernels.line_ends import NOTHING, REACH
+from mechanics.kernels.lines import Tests, walk
 from mechanics.mechanism import Mechanism
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
 
-LINES = 2048
-"""Lines walked together: enough to hide the cost of a call, few enough to stay in cache."""
+LINES = 1 << 18
+"""Lines walked in one call: enough to hide its cost, few enough for their runs to be copied."""
 
 FINEST = 1e-5
 """Lines with a step below this share of the greatest length are left to single nodes."""
@@ -155,18 +156,12 @@ def _walk(
     mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, start: int, stop: int
 ) -> tuple[Bytes, Integers]:
     """Return the runs of whole lines under conditions that are decided along them."""
-    tests = [
-        (test, leg)
-        for c in conditions
-        for test, leg in zip(c.line_tests or (), c.legs, strict=True)
-    ]
-    numbers = np.array(tests, dtype=np.int64).reshape(-1, 2).T.copy()
+    tests = _tests(conditions)
     line = grid.shape[-1]
     stretch = LINES * line
     parts = [
         walk(
-            numbers[0],
-            numbers[1],
+            tests,
             mechanism.legs,
             mechanism.motion.kernel,
             grid.kernel,
@@ -177,6 +172,19 @@ def _walk(
     ]
     codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
     return codes, lengths
+
+
+def _tests(conditions: Sequence[Condition]) -> Tests:
+    """Return what lines are held against; first a leg must reach at all."""
+    tests: list[tuple[int, int, int]] = []
+    parts = [part for c in conditions for part in zip(c.line_tests or (), c.legs, strict=True)]
+    for code, (test, leg) in enumerate(parts, start=1):
+        if test != REACH and all((REACH, leg) != known[:2] for known in tests):
+            tests.append((REACH, leg, code))
+        if test != NOTHING:
+            tests.append((test, leg, code))
+    rows = np.array(tests, dtype=np.int64).reshape(-1, 3).T.copy()
+    return Tests(*rows)
 
 
 def _sift(

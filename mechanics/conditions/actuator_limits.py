@@ -7,7 +7,7 @@ from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
 from mechanics.kernels import sweeps
-from mechanics.kernels.lines import LIMITS, NOTHING
+from mechanics.kernels.line_ends import LIMITS, NOTHING
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
 

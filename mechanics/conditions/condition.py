@@ -38,7 +38,7 @@ class Condition(ABC):
     reason: str
     legs: tuple[int, ...]
     line_tests: tuple[int, ...] | None = None
-    """The test of each part that decides it along whole lines (`kernels.lines`), if there are."""
+    """The test of each part that decides it along whole lines, if there are."""
     turn_tests: tuple[TurnTest, ...] | None = None
     """The test of each part that decides it at all angles of a turn, if there are."""
     fails_at_singularities: bool = False

@@ -6,7 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
 from mechanics.kernels import sweeps
-from mechanics.kernels.lines import REACH
+from mechanics.kernels.line_ends import REACH
 from mechanics.mechanism import Mechanism
 
 

@@ -14,7 +14,9 @@ from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
 from mechanics.fields import actuators
 from mechanics.grid import Axis, Grid
+from mechanics.legs import CRANK, STRUT, Leg, gather
 from mechanics.mechanism import Mechanism
+from mechanics.motions import SPATIAL, TRANSLATION, Motion
 from mechanics.workspace import Scan, provable, scan
 from schemas.mechanisms import parse_spec
 from tests.oracles.draws import DRAWS, Draw, Fields, Random
@@ -189,6 +191,57 @@ def test_lines_a_hair_beside_a_sphere(off: float) -> None:
     for x in (1.0, 0.25):
         agree(wired(wire), Axis("x", x + off, x + off, 1.0), Axis("y", 0.0, 0.0, 1.0),
               Axis("z", -1.0, 1.0, 0.001))  # fmt: skip
+
+
+def any_leg(random: Random) -> tuple[Leg, list[float]]:
+    """Return a leg of round lengths, along, across, beside or askew to the lines, and its stops."""
+    drive = int(random.integers(3))
+    axis = np.roll([0.0, 0.0, float(random.choice([-1.0, 1.0]))], random.integers(3))
+    axis += random.choice([0.0, 0.0, 10.0 ** random.uniform(-17, -1), 1.0]) * random.normal(size=3)
+    across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    rod, crank = random.integers(1, 10, 2) * 0.125
+    low, high = np.sort(random.integers(-6, 10, 2) * 0.125)
+    low, high = (abs(low), abs(low) + high - low + 0.25) if drive == STRUT else (low, high + 0.25)
+    point, base = random.integers(-2, 3, (2, 3)) * 0.125
+    leg = Leg(drive, base, point, axis, across, crank, rod)
+    free = drive == CRANK, random.random() < 0.2, random.random() < 0.2
+    return leg, [-np.inf if free[0] or free[1] else low, np.inf if free[0] or free[2] else high]
+
+
+def any_grid(random: Random, motion: Motion) -> Grid:
+    """Return a small grid of round or odd steps, its lines along some translation."""
+    names = [str(name) for name in random.permutation(list("xyz"))]
+    if motion is SPATIAL and random.random() < 0.5:
+        names.insert(0, "rx")
+    names = names[-int(random.integers(1, len(names) + 1)) :]
+    axes = []
+    for name in names:
+        last = name == names[-1]
+        step = float(random.choice([0.125, 0.0125, random.uniform(0.02, 0.3)]))
+        count = int(random.integers(1, 60 if last else 8))
+        least = -0.125 * int(random.integers(0, 13))
+        axes.append(Axis(name, least, least + (count - 1) * step, step))
+    fixed = random.integers(-4, 5, len(motion.coordinates)).astype(np.float64) * 0.125
+    return Grid(tuple(axes), tuple(motion.coordinates.index(name) for name in names), fixed)
+
+
+@pytest.mark.parametrize("motion", [TRANSLATION, SPATIAL])
+def test_round_lengths_on_round_grids(motion: Motion) -> None:
+    # Nodes stand on ends, lines touch boundaries, rods fold onto cranks' axes, exactly.
+    random = np.random.default_rng(3)
+    for _ in range(400):
+        drawn = [any_leg(random) for _ in motion.coordinates]
+        modes = random.choice([-1.0, 1.0], len(drawn))
+        legs = gather([leg for leg, _ in drawn], np.array([stops for _, stops in drawn]), modes)
+        mechanism, grid = Mechanism(motion, legs), any_grid(random, motion)
+        limits: Condition = ActuatorLimits(mechanism)
+        for conditions in ([Reach(mechanism), limits], [limits]):
+            assert provable(mechanism, conditions, grid) == len(conditions)
+            start, stop = np.sort(random.integers(0, grid.size + 1, 2))
+            if start < stop:
+                by_lines = scan(mechanism, conditions, grid, {}, start, stop)
+                by_nodes = scan(mechanism, conditions, grid, {}, start, stop, by_lines=False)
+                assert same(by_lines, by_nodes)
 
 
 def test_long_scans_from_within_a_line() -> None:

@@ -1,0 +1,213 @@
+"""Where along a line of a grid the verdict on a leg changes, in closed form, line by line.
+
+Along a line one translation changes, t, and what a leg passes there is always one stretch less
+one hole: strut and crank between two distances, and a rail's carriage, whose place is concave or
+convex in t, not beyond one stop and beyond the other. All ends are roots of quadratics.
+"""
+
+import math
+from typing import NamedTuple
+
+from mechanics.arrays import Floats
+from mechanics.kernels.compiling import inlined, kernel
+from mechanics.kernels.legs import Numbers
+from mechanics.legs import CRANK, RAIL
+
+REACH = 0
+LIMITS = 1
+NOTHING = 2
+"""A test that every leg passes."""
+
+BLUR = 1e-9
+"""A root of less than this share of its terms may be there or not."""
+SAME = 1e-10
+"""Both solutions of a rail closer than this share of its lengths may be one."""
+STRAIGHT = 1e-16
+"""The cosine of an axis that is perpendicular to a line, or its sine if it is parallel."""
+
+FIRST, STOP, HOLE, HOLE_STOP = 0, 1, 2, 3
+"""Rows of where a test begins to hold, ends, and between them does not."""
+
+ABREAST = 64
+"""Lines looked at together: few enough for the first cache."""
+
+
+class Line(NamedTuple):
+    """The nodes of a line: the coordinate j that changes, t = minimum + node step. [m]"""
+
+    j: int
+    nodes: int
+    minimum: float
+    step: float
+
+
+class Part(NamedTuple):
+    """One leg held to one test."""
+
+    test: int
+    drive: int
+    leg: Numbers
+
+
+@inlined
+def write_ends(part: Part, line: Line, spans: Floats, ends: Floats) -> int:
+    """Write where stretch and hole of each line end, in steps; return 1 + 2: both are there."""
+    test, drive, leg = part
+    j, share = line.j, 1.0 / line.step
+    if test == REACH:
+        if drive == CRANK:
+            return _crank_ends(leg, j, share, spans, ends)
+        if drive == RAIL:
+            return _rail_ends(leg, j, share, spans, ends)
+        return _strut_ends(j, spans, ends)
+    sides = 0
+    if drive == RAIL:
+        begin, end = leg.lower_limit, leg.upper_limit
+        if leg.working_mode < 0.0:
+            begin, end = end, begin
+        if abs(begin) < math.inf:
+            sides += 1
+            _stop_ends(leg, j, share, begin, spans, ends, FIRST)
+        if abs(end) < math.inf:
+            sides += 2
+            _stop_ends(leg, j, share, end, spans, ends, HOLE)
+        return sides
+    if leg.upper_limit < math.inf:
+        sides += 1
+        _sphere_ends(leg.upper_limit, j, share, spans, ends, FIRST)
+    if leg.lower_limit > 0.0:
+        sides += 2
+        _sphere_ends(leg.lower_limit, j, share, spans, ends, HOLE)
+    return sides
+
+
+@kernel
+def _roots(b: float, square: float, scale: float) -> tuple[float, float]:
+    """Return the roots of (t + b)^2 = square; inf, -inf: none; NaN: rounding decides if any."""
+    half = math.sqrt(square if square > 0.0 else 0.0)
+    low = -b - half if square > 0.0 else math.inf
+    high = -b + half if square > 0.0 else -math.inf
+    doubtful = not abs(square) > BLUR * scale
+    return math.nan if doubtful else low, math.nan if doubtful else high
+
+
+@inlined
+def _strut_ends(j: int, spans: Floats, ends: Floats) -> int:
+    """Mark the lines through A itself, where a strut has no length."""
+    through = 0
+    u, v = (j + 1) % 3, (j + 2) % 3
+    for i in range(ABREAST):
+        across = spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i]
+        through += 1 if across == 0.0 else 0
+        ends[HOLE, i] = math.nan if across == 0.0 else math.inf
+        ends[HOLE_STOP, i] = math.nan if across == 0.0 else -math.inf
+    return 2 if through > 0 else 0
+
+
+@inlined
+def _sphere_ends(
+    radius: float, j: int, share: float, spans: Floats, ends: Floats, row: int
+) -> None:
+    """Write the roots of |d| = radius; of a negative radius, none."""
+    square = radius * abs(radius)
+    u, v = (j + 1) % 3, (j + 2) % 3
+    for i in range(ABREAST):
+        across = spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i]
+        low, high = _roots(spans[j, i], square - across, abs(square) + across)
+        ends[row, i], ends[row + 1, i] = low * share, high * share
+
+
+@inlined
+def _stop_ends(
+    leg: Numbers,
+    j: int,
+    share: float,
+    stop: float,
+    spans: Floats,
+    ends: Floats,
+    row: int,
+) -> None:
+    """Write between where a rail's carriage, among nodes that it reaches, is beyond a stop.
+
+    Beyond is to the side that the working mode takes. At a root of |d - stop s| = L it is either
+    the carriage that stands at the stop, or the other solution, which ends nothing.
+    """
+    s, L, mode = leg.axis, leg.rod_length, leg.working_mode
+    u, v = (j + 1) % 3, (j + 2) % 3
+    a, b, c = s[j], s[u], s[v]
+    flat, same = b * b + c * c, SAME * (L + abs(stop))
+    for i in range(ABREAST):
+        e, f, g = spans[j, i] - stop * a, spans[u, i] - stop * b, spans[v, i] - stop * c
+        across = f * f + g * g
+        square = L * L - across
+        low, high = _roots(e, square, L * L + across)
+        # How far the middle of both solutions is beyond the stop: at the line's origin, at the
+        # roots and, where there are none, at the node that the leg reaches first of all.
+        along = e * a + f * b + g * c
+        top = mode * (along - a * (e - along * a) / flat)
+        if square > 0.0:
+            low = -math.inf if mode * (along + a * low) > same else low
+            high = math.inf if mode * (along + a * high) > same else high
+        elif flat > 0.0 and top > 0.0:
+            low, high = -low, -high
+        if 0.0 < flat <= BLUR:
+            low = high = math.nan
+        ends[row, i], ends[row + 1, i] = low * share, high * share
+
+
+@inlined
+def _rail_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats) -> int:
+    """Write where c is a rod's length from the rail."""
+    s, L = leg.axis, leg.rod_length
+    u, v = (j + 1) % 3, (j + 2) % 3
+    a, b, c = s[j], s[u], s[v]
+    flat = b * b + c * c
+    for i in range(ABREAST):
+        along = spans[j, i] * a + spans[u, i] * b + spans[v, i] * c
+        w, f, g = spans[j, i] - along * a, spans[u, i] - along * b, spans[v, i] - along * c
+        left = L * L - (w * w + f * f + g * g)
+        if flat == 0.0:
+            # Along the rail the distance stays.
+            low = -math.inf if left > 0.0 else math.inf
+            low = math.nan if abs(left) <= BLUR * L * L else low
+            high = -low
+        elif flat <= BLUR:
+            low = high = math.nan
+        else:
+            e = w / flat
+            low, high = _roots(e, e * e + left / flat, e * e + (L * L + abs(left)) / flat)
+        ends[FIRST, i], ends[STOP, i] = low * share, high * share
+    return 1
+
+
+@inlined
+def _crank_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats) -> int:
+    """Write where c enters or leaves the torus about the crank's axis."""
+    s, r, L = leg.axis, leg.crank_length, leg.rod_length
+    u, v = (j + 1) % 3, (j + 2) % 3
+    a, b, c = s[j], s[u], s[v]
+    for i in range(ABREAST):
+        if abs(a) <= STRAIGHT:
+            height, across = (
+                spans[u, i] * b + spans[v, i] * c,
+                (spans[u, i] * c - spans[v, i] * b) ** 2,
+            )
+            left = L * L - height * height
+            g = math.sqrt(left if left > 0.0 else 0.0)
+            far, near = (r + g) ** 2, (r - g) ** 2
+            low, high = _roots(spans[j, i], far - across, far + across)
+            begin, end = _roots(spans[j, i], near - across, near + across)
+            if left <= 0.0:
+                low, high = math.inf, -math.inf
+            if abs(left) <= BLUR * L * L:
+                low = high = math.nan
+        else:
+            radius = math.sqrt(spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i])
+            near, far = (radius - r) ** 2, (radius + r) ** 2
+            low, high = _roots(spans[j, i], L * L - near, L * L + near)
+            begin, end = _roots(spans[j, i], L * L - far, L * L + far)
+        ends[FIRST, i], ends[STOP, i] = low * share, high * share
+        ends[HOLE, i], ends[HOLE_STOP, i] = begin * share, end * share
+    if abs(a) > STRAIGHT and b * b + c * c > STRAIGHT * STRAIGHT:
+        ends[:] = math.nan
+    return 3
