@@ -34,7 +34,7 @@ SECONDS_ALL = {
     "spatial": 4e-3,
 }
 """Of all modes of a row, by motion. [s]"""
-SECONDS_FROM_GUESS = 1e-4
+SECONDS_FROM_GUESS = 3e-4
 MODES = {
     "planar_translation": 2,
     "translation": 2,

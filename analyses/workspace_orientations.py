@@ -47,8 +47,8 @@ def orientations_of(
     tried = ranges[:-1] if around else ranges
     columns = tuple(motion.coordinates.index(r.coordinate) for r in tried)
     grid = Grid(tuple(r.axis for r in tried), columns, fixed.fixed)
-    sizes = [r.size for r in ranges if r.size > 0.0]
-    return Orientations(grid, ranges[-1].turn(motion) if around else None, math.prod(sizes))
+    extent = math.prod(r.size for r in ranges)
+    return Orientations(grid, ranges[-1].turn(motion) if around else None, extent)
 
 
 def ranged(motion: Motion) -> tuple[str, ...]:
@@ -93,6 +93,11 @@ def _range(name: str, given: OrientationAxis | None, turns: int) -> _Range:
     if given is None or given.min is None or given.max is None:
         return _Range(name, *_whole_turn(name), step, whole=True)
     return _Range(name, given.min, given.max, step, whole=False)
+
+
+def free_turns(request: WorkspaceRequest, motion: Motion) -> int:
+    """Return over how many turns a request's type runs."""
+    return sum(name not in request.fixed for name in ranged(motion))
 
 
 def _whole_turn(name: str) -> tuple[float, float]:

@@ -13,9 +13,9 @@ from analyses.units import determinant_unit, drive_units, effort_units, power_un
 from analyses.workspace_bounds import bound_errors, conditions_of, load_of
 from analyses.workspace_orientations import (
     MANY,
+    free_turns,
     orientation_errors,
     orientations_of,
-    ranged,
     tries,
 )
 from mechanics import fields as kept
@@ -24,6 +24,9 @@ from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
 from mechanics.orientations import Orientations
 from schemas.workspace import WorkspaceRequest
+
+MOST_ANGLES = 100_000
+"""Angles of one turn at which a node may be looked at."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +139,10 @@ def _size_errors(
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
     setup = set_up(request)
     many = tries(setup.orientations, setup.conditions)
+    turn = None if setup.orientations is None else setup.orientations.turn
+    if turn is not None and turn.step * MOST_ANGLES < turn.high - turn.low:
+        least = (turn.high - turn.low) / MOST_ANGLES
+        return [("/orientation_range", f"a step of {turn.step}; at least {least:.3g} is allowed")]
     if nodes * many <= node_limit:
         return []
     if many > 1:
@@ -189,6 +196,6 @@ def field_units(request: WorkspaceRequest, mechanism: Mechanism) -> dict[str, st
         "condition_number": "-",
         "pressure_angle": "rad",
         "actuators": shared_unit(drive_units(mechanism)),
-        "free_orientation": power_unit(["rad"] * len(ranged(mechanism.motion))),
+        "free_orientation": power_unit(["rad"] * free_turns(request, mechanism.motion)),
     }
     return {name: units[name] for name in request.fields}

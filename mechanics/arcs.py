@@ -14,6 +14,8 @@ from mechanics.arrays import Booleans, Floats, Integers
 
 RESOLUTION = 1e-9
 """How exactly the ends of arcs are found. [rad]"""
+LEAST_CELLS = 3
+"""An arc shorter than a step is looked at within too."""
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 HALVINGS = 60
 DIP_STEPS = 40
@@ -94,7 +96,7 @@ def sampled(arcs: Arcs, step: float) -> tuple[Integers, Floats]:
     """
     trims = np.minimum(RESOLUTION, 0.25 * (arcs.stops - arcs.starts))
     starts, stops = arcs.starts + trims, arcs.stops - trims
-    cells = np.maximum(1, np.ceil((stops - starts) / step - 1e-9)).astype(np.int64)
+    cells = np.maximum(LEAST_CELLS, np.ceil((stops - starts) / step - 1e-9)).astype(np.int64)
     numbers = np.repeat(np.arange(cells.size), cells + 1)
     firsts = np.cumsum(cells + 1) - (cells + 1)
     shares = (np.arange(numbers.size) - firsts[numbers]) / cells[numbers]
@@ -168,63 +170,83 @@ def _halved(
 ) -> tuple[Floats, Floats]:
     """Return the last angles that are as `low` is and the first that are not, so far apart."""
     for _ in range(HALVINGS):
-        if not low.size or np.max(high - low) <= resolution:
-            break
         middle = 0.5 * (low + high)
-        if np.all((middle == low) | (middle == high)):
+        # Each goes its own way to its own end: what is found does not depend on its company.
+        wide = (high - low > resolution) & (middle != low) & (middle != high)
+        if not wide.any():
             break
         as_low = same(middle)
-        low, high = np.where(as_low, middle, low), np.where(as_low, high, middle)
+        low, high = np.where(wide & as_low, middle, low), np.where(wide & ~as_low, middle, high)
     return low, high
 
 
 def _with_dips(samples: Samples, look: Look) -> Samples:
     """Return the samples with an angle of the other verdict wherever one is found between two.
 
-    Where a margin, held or missed, is nearest to 0 of three neighbours, it may come nearer still
+    Where a margin, held or missed, is nearer to 0 than at its neighbours, it may come nearer still
     between them; how near is sought by golden sections unless the neighbours rule it out.
     """
     size = np.where(np.isnan(samples.margins), -np.inf, samples.margins)
     holds = samples.holds
     size = np.where(holds, size, -size)
-    one, own, other = size[:, :-2], size[:, 1:-1], size[:, 2:]
-    alike = (holds[:, :-2] == holds[:, 1:-1]) & (holds[:, 2:] == holds[:, 1:-1])
-    within = samples.joined[:-1] & samples.joined[1:]
-    least = (own <= one) & (own <= other) & ((own < one) | (own < other))
-    with np.errstate(invalid="ignore"):
-        reachable = own < np.fmax(one - own, other - own)
-    parts, left = np.nonzero(alike & within & least & reachable)
-    owners, held = samples.owners[left], holds[parts, left]
+    parts, at = _candidates(samples, size)
+    owners, held = samples.owners[at], holds[parts, at]
 
     def height(angles: Floats) -> Floats:
         margins = look(owners, angles)[parts, np.arange(parts.size)]
         margins = np.where(np.isnan(margins), -np.inf, margins)
         return np.where(held, margins, -margins)
 
-    angles, heights = _lowest(samples.angles[left], samples.angles[left + 2], height)
+    first = at - np.concatenate([[False], samples.joined])[at]
+    last = at + np.concatenate([samples.joined, [False]])[at]
+    angles, heights = _lowest(samples.angles[first], samples.angles[last], height)
     found = heights < 0.0
-    middle = samples.angles[left + 1]
-    return samples.among(look, (left + (angles > middle))[found], angles[found])
+    left = np.where(angles > samples.angles[at], at, first)
+    return samples.among(look, left[found], angles[found])
+
+
+def _candidates(samples: Samples, size: Floats) -> tuple[Integers, Integers]:
+    """Return the parts and samples whose size is least beside them, and may be less between.
+
+    Beyond the ends of an arc there is nothing to compare with.
+    """
+    joined, holds = samples.joined, samples.holds
+    before, after = np.full((2, *size.shape), np.nan)
+    before[:, 1:] = np.where(joined, size[:, :-1], np.nan)
+    after[:, :-1] = np.where(joined, size[:, 1:], np.nan)
+    alike = np.ones(size.shape, dtype=bool)
+    changed = (holds[:, 1:] != holds[:, :-1]) & joined
+    alike[:, 1:] &= ~changed
+    alike[:, :-1] &= ~changed
+    with np.errstate(invalid="ignore"):
+        least = ~(size > before) & ~(size > after) & ((size < before) | (size < after))
+        reachable = size < np.fmax(before - size, after - size)
+    parts, at = np.nonzero(alike & least & reachable)
+    return parts, at
 
 
 def _lowest(low: Floats, high: Floats, height: Callable[[Floats], Floats]) -> tuple[Floats, Floats]:
-    """Return the angles between `low` and `high` at which each height is least, and the heights."""
+    """Return the angles between `low` and `high` at which each height is least, and the heights.
+
+    One that is below 0 is low enough.
+    """
     if not low.size:
         return low, low
     one, other = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     h_one, h_other = height(one), height(other)
     for _ in range(DIP_STEPS):
+        going = (np.minimum(h_one, h_other) >= 0.0) & (high - low > RESOLUTION)
+        if not going.any():
+            break
         left = h_one < h_other
-        low, high = np.where(left, low, one), np.where(left, other, high)
+        low, high = np.where(going & ~left, one, low), np.where(going & left, other, high)
         fresh = np.where(left, high - GOLDEN * (high - low), low + GOLDEN * (high - low))
         h_fresh = height(fresh)
+        # Each goes its own way to its own end: what is found does not depend on its company.
         one, other, h_one, h_other = (
-            np.where(left, fresh, other),
-            np.where(left, one, fresh),
-            np.where(left, h_fresh, h_other),
-            np.where(left, h_one, h_fresh),
+            np.where(going, np.where(left, fresh, other), one),
+            np.where(going, np.where(left, one, fresh), other),
+            np.where(going, np.where(left, h_fresh, h_other), h_one),
+            np.where(going, np.where(left, h_one, h_fresh), h_other),
         )
-        best = np.minimum(h_one, h_other)
-        if np.all(best < 0.0) or np.max(high - low) <= RESOLUTION:
-            break
     return np.where(h_one < h_other, one, other), np.minimum(h_one, h_other)

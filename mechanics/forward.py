@@ -97,7 +97,8 @@ def nearby_modes(
 ) -> list[NearbyMode]:
     """Return the mode to which Newton's iteration leads from each row's guess.
 
-    Not to converge is an answer: the pose is then the best that was met.
+    Not to converge is an answer: the pose is then the best that was met, and the guess itself,
+    without determinant or residual, where the drives cannot stand so.
 
     Parameters
     ----------
@@ -117,22 +118,27 @@ def nearby_modes(
     start = mechanism.columns(guesses)
     if start.shape[1] != legs.actuators.shape[1]:
         raise ActuatorsError(np.shape(actuators), mechanism.leg_count, rows=start.shape[1])
+    signs = (1,) * mechanism.leg_count
+    nowhere = [AssemblyMode(guess.copy(), signs, np.nan, np.nan) for guess in start.T]
+    found = [NearbyMode(mode, converged=False, iterations=0) for mode in nowhere]
+    possible = np.flatnonzero(legs.possible)
+    braked = legs.take(possible)
     with np.errstate(invalid="ignore", divide="ignore"):
-        closed = close_legs(legs, start, iterations)
-        modes = describe(legs, np.arange(start.shape[1]), closed.poses)
-    return [
-        NearbyMode(_mode(modes, i), bool(closed.converged[i]), int(closed.iterations[i]))
-        for i in range(start.shape[1])
-    ]
+        closed = close_legs(braked, start[:, possible], iterations)
+        modes = describe(braked, np.arange(possible.size), closed.poses)
+    for i, row in enumerate(possible):
+        reached = bool(closed.converged[i])
+        found[row] = NearbyMode(_mode(modes, i), reached, int(closed.iterations[i]))
+    return found
 
 
 def side(mechanism: Mechanism, determinant: float) -> int:
-    """Return the sign of det Jx, and 0 where a mode is two in one.
+    """Return the sign of det Jx, and 0 where a mode is two in one or there is no determinant.
 
     Such a mode is known to about the root of rounding only, and so is its determinant.
     """
     lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
-    return 0 if abs(determinant) <= DOUBLE * lengths else int(np.sign(determinant))
+    return int(np.sign(determinant)) if abs(determinant) > DOUBLE * lengths else 0
 
 
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:

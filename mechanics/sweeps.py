@@ -1,5 +1,6 @@
 """All angles of one turn at once: where conditions hold together, and why nowhere else."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
@@ -20,6 +21,8 @@ NODES_SWEPT = 16384
 """Nodes told together by closed forms alone."""
 NODES_SEARCHED = 128
 """Nodes whose arcs are searched together: each has hundreds of angles."""
+ANGLES_SEARCHED = 1 << 16
+"""Angles looked at together, of all nodes: each has the margins of many parts."""
 STRIDE = 8
 """Of so many neighbours one is asked first, and the others for what it found."""
 NO_PART = 255
@@ -138,7 +141,10 @@ class Sweep:
 
     @property
     def _together(self) -> int:
-        return NODES_SWEPT if swept(self.conditions) == len(self.conditions) else NODES_SEARCHED
+        if swept(self.conditions) == len(self.conditions):
+            return NODES_SWEPT
+        angles = 1 + math.ceil((self.turn.high - self.turn.low) / self.turn.step)
+        return max(1, min(NODES_SEARCHED, ANGLES_SEARCHED // angles))
 
     def _block(self, nodes: Integers) -> tuple[Bytes, Floats]:
         poses = self.grid.poses_at(nodes)

@@ -56,7 +56,8 @@ class ForwardKinematicsResult(Model):
     analysis: Literal["forward_kinematics"]
     determinant_unit: str
     assembly_modes: list[list[AssemblyMode]] = Field(
-        description="Per row, by falling determinant; empty where the drives are out of reach."
+        description="Per row, by falling determinant; empty where the drives are out of reach. "
+        "Where the platform can move while the drives stand still, samples of its path, if any."
     )
     route: list[str] = Field(
         description="How they were found: closed form, one angle (the roots of a polynomial), "

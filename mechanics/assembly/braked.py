@@ -10,6 +10,9 @@ from mechanics.kernels.cofactors import write_cofactors
 from mechanics.legs import CRANK, RAIL, STRUT
 from mechanics.mechanism import Mechanism
 
+_LEAST_ROD = 1e-9
+"""A strut shorter than this has no direction. [m]"""
+
 
 class LegErrors(NamedTuple):
     """How far a block of poses is from closing the legs.
@@ -57,7 +60,7 @@ class BrakedLegs:
     @property
     def possible(self) -> Booleans:
         """Whether drives can stand so, shape (cases,): finite, and struts of some length."""
-        sound = np.isfinite(self.actuators) & (self.rod_lengths > 0.0)
+        sound = np.isfinite(self.actuators) & (self.rod_lengths >= _LEAST_ROD)
         possible: Booleans = np.all(sound, axis=0)
         return possible
 
@@ -75,13 +78,23 @@ class BrakedLegs:
 
     @property
     def sizes(self) -> Floats:
-        """The greatest length that takes part, shape (cases,): what errors are held against."""
+        """The greatest length that takes part, shape (cases,): what rounding is held against."""
         of = self.mechanism.legs
         joints = np.linalg.norm(of.platform_point, axis=1).max()
         starts = np.linalg.norm(self.rod_starts, axis=1).max(axis=0)
         longest = np.maximum(self.rod_lengths.max(axis=0), of.crank_length.max())
         sizes: Floats = np.maximum(np.maximum(starts, longest), joints)
         return sizes
+
+    @property
+    def extents(self) -> Floats:
+        """The greatest length wherever the mechanism stands, shape (cases,): what it can span."""
+        of, starts = self.mechanism.legs, self.rod_starts
+        joints = np.linalg.norm(of.platform_point - of.platform_point[0], axis=1).max()
+        apart = np.linalg.norm(starts - starts[:1], axis=1).max(axis=0)
+        longest = np.maximum(self.rod_lengths.max(axis=0), of.crank_length.max())
+        extents: Floats = np.maximum(np.maximum(apart, longest), joints)
+        return extents
 
     def errors(self, poses: Floats) -> LegErrors:
         """Return by how much the legs do not close, one pose a case, shape (coordinates, cases).

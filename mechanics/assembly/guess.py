@@ -16,7 +16,7 @@ STEPS = 60
 """Steps that are tried at most, shortened ones included."""
 
 _LARGEST_TURN = 0.7
-"""No step turns further, nor moves further than the greatest length: rates say nothing of that."""
+"""No step turns further, nor moves further than the mechanism spans: rates say nothing of that."""
 
 _SHORTEST = 2.0**-20
 
@@ -70,11 +70,11 @@ class _Search:
 
     def __init__(self, legs: BrakedLegs, guesses: Floats) -> None:
         self.legs = legs
-        self.sizes = legs.sizes
+        self.sizes, self.extents = legs.sizes, legs.extents
         self.poses = np.array(guesses, dtype=float)
         errors = legs.errors(self.poses)
         self.excess = errors.excess
-        self.steps = self._screws(errors, self.sizes)
+        self.steps = self._screws(errors, self.extents)
         self.shares = np.ones(self.sizes.size)
         self.tried = np.zeros(self.sizes.size, dtype=np.int64)
         self.going = np.flatnonzero(np.any(self.excess != 0.0, axis=0))
@@ -96,7 +96,7 @@ class _Search:
         self.poses[:, kept] = poses[:, better]
         self.excess[:, kept] = errors.excess[:, better]
         self.steps[:, kept] = self._screws(
-            LegErrors(*(part[..., better] for part in errors)), self.sizes[kept]
+            LegErrors(*(part[..., better] for part in errors)), self.extents[kept]
         )
 
     def _undecided(self, cases: Integers) -> Booleans:
@@ -105,11 +105,11 @@ class _Search:
         undecided: Booleans = rough & (self.shares[cases] > _SHORTEST)
         return undecided
 
-    def _screws(self, errors: LegErrors, sizes: Floats) -> Floats:
+    def _screws(self, errors: LegErrors, extents: Floats) -> Floats:
         steps = np.empty(errors.rows.shape[1:])
         solve_each(np.ascontiguousarray(errors.rows), np.ascontiguousarray(errors.sides), steps)
         turning = np.any(self.legs.mechanism.motion.twists[3:], axis=0)
         turns = np.linalg.norm(steps[turning], axis=0) / _LARGEST_TURN
-        shifts = np.linalg.norm(steps[~turning], axis=0) / sizes
+        shifts = np.linalg.norm(steps[~turning], axis=0) / extents
         short: Floats = steps / np.maximum(1.0, np.maximum(turns, shifts))
         return short

@@ -111,7 +111,7 @@ def loose(legs: BrakedLegs, modes: Modes) -> Booleans:
     singular, ways = _free_motions(legs, modes)
     if singular.size:
         braked, start = legs.take(modes.cases[singular]), modes.poses[:, singular]
-        gaps = _AWAY * braked.sizes * ways
+        gaps = _AWAY * braked.extents * ways
         led = close_legs(braked, move(legs.mechanism.motion, start, gaps), _STEPS)
         left = _gaps(legs, start, led.poses)
         far = np.abs(left).max(axis=0) > 0.3 * np.abs(gaps).max(axis=0)
@@ -136,7 +136,7 @@ def _same(modes: Modes, first: Integers, second: Integers, legs: BrakedLegs) -> 
     motion, start = legs.mechanism.motion, modes.poses[:, first]
     gaps = _gaps(legs, start, modes.poses[:, second])
     turning = np.any(motion.twists[3:], axis=0)
-    scales = np.where(turning[:, None], 1.0, braked.sizes)
+    scales = np.where(turning[:, None], 1.0, braked.extents)
     near = np.flatnonzero(np.abs(gaps / scales).max(axis=0, initial=0.0) <= _CLOSE)
     half = move(motion, start[:, near], 0.5 * gaps[:, near])
     braked = braked.take(near)

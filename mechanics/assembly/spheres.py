@@ -40,7 +40,10 @@ def meet(centres: Floats, squares: Floats) -> tuple[Floats, Booleans]:
     along, foot = _line(rows, heights)
     normal = np.sum(along**2, axis=-1)
     # Not-a-number, where an earlier joint is out of reach already, leaves nothing open.
-    determined = ~(normal <= _IN_LINE**2 * np.prod(lengths, axis=-1))
+    in_line = normal <= _IN_LINE**2 * np.prod(lengths, axis=-1)
+    # Centres that coincide are told apart by rounding, which grows with their distance from 0.
+    sizes = np.max(squares, axis=-1) + np.max(np.sum(centres**2, axis=-1), axis=-1)
+    determined = ~(in_line | (np.min(lengths, axis=-1) <= _IN_LINE**2 * sizes))
     with np.errstate(divide="ignore", invalid="ignore"):
         foot = foot / normal[..., None]
         rest = squares[..., 0] - np.sum(foot**2, axis=-1)

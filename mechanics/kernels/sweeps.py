@@ -45,6 +45,8 @@ none at all."""
 
 LEAST_STRUT = 1e-14
 """A strut has no direction where its square is below this share of its mean over the turn."""
+LEAST_SQUARE = 2.0**-1022
+"""A strut whose square is below this has no length. [m^2]"""
 STEADY = 1e-14
 """A wave this small beside the product of its vectors does not change."""
 ARCS_PER_TEST = 4
@@ -142,7 +144,7 @@ def sweep(
     counts[:] = 1
     starts[0], stops[0] = ends
     for k in range(tests.size):
-        if tests[k] == NOTHING:
+        if tests[k] == NOTHING or codes.size == 0:
             continue
         leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
         asked_band = (bounds[k, 0], bounds[k, 1])
@@ -178,7 +180,8 @@ def _one_test(
     With `done` a pose is done with when any of a whole turn is missing, whichever part of it.
     """
     positions, rotations, axes = places
-    left, events = np.empty((2, starts.shape[0])), np.empty(2 * ARCS_PER_TEST)
+    events = np.empty(2 * ARCS_PER_TEST)
+    left = np.empty((2, starts.shape[0] + events.size))
     cells = np.empty((2, MOST_CELLS))
     d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
     banded = _by_band(test, drive, leg, d)
@@ -275,7 +278,7 @@ def _band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float
         # Across the axis a circle of radius r about it must meet one of radius g about c.
         g = math.sqrt((L - along) * (L + along)) if abs(along) <= L else math.nan
         return along * along + (r - g) ** 2, along * along + (r + g) ** 2
-    return LEAST_STRUT * square(d).m, math.inf
+    return max(LEAST_STRUT * square(d).m, LEAST_SQUARE), math.inf
 
 
 @inlined

@@ -10,7 +10,7 @@ LEAST_CELL = 1e-8
 """Half the width at which a root counts as there, if nothing says that it is not. [rad]"""
 ROUNDING = 8.0 * 2.0**-52
 """How far a sum may be off, as a share of its terms."""
-NOTHING = 1e-14
+STEADY = 1e-14
 """A function whose change is this small beside its mean has no roots."""
 CELLS = 6
 """Into how many cells the angles are cut at first."""
@@ -102,33 +102,37 @@ def ripple_roots(f: Ripple, low: float, high: float, cells: Floats, roots: Float
     """Write the at most four roots from low to high; return how many there are.
 
     A cell is left out where Taylor's bound says that f has no root in it, searched where f' has
-    none, so that f has one at most, and else halved: no root is lost, however near to another.
+    none, so that f has one at most, and else halved: no root is lost but such as rounding cannot
+    tell from a neighbour.
     `cells`, shape (2, MOST_CELLS), is scratch.
     """
     bound = math.hypot(f.c, f.s) + 8.0 * math.hypot(f.cc, f.ss)
-    if bound <= NOTHING * abs(f.m) or bound == 0.0:
+    if bound <= STEADY * abs(f.m) or bound == 0.0:
         return 0
     blur = ROUNDING * (abs(f.m) + bound)
-    width = 0.5 * (high - low) / CELLS
     for k in range(CELLS):
-        cells[0, k], cells[1, k] = low + (2 * k + 1) * width, width
+        # Neighbours share their edge to the last bit: between two edges a root could hide.
+        cells[0, k] = low + (high - low) * (k / CELLS)
+        cells[1, k] = low + (high - low) * ((k + 1) / CELLS)
     count, waiting = 0, CELLS
     while waiting > 0 and count < roots.size:
         waiting -= 1
-        t, h = cells[0, waiting], cells[1, waiting]
-        dy, ddy = abs(slope(f, t)), abs(bend(f, t))
-        if abs(height(f, t)) > blur + h * (dy + h * (0.5 * ddy + h * bound / 6.0)):
+        one, other = cells[0, waiting], cells[1, waiting]
+        t, h = 0.5 * (one + other), 0.5 * (other - one)
+        y, dy, ddy = abs(height(f, t)), abs(slope(f, t)), abs(bend(f, t))
+        change = h * (dy + h * (0.5 * ddy + h * bound / 6.0))
+        if y > blur + change:
             continue
         if dy > h * (ddy + 0.5 * h * bound):
-            count = _only_root(f, t - h, t + h, roots, count)
-        elif h < LEAST_CELL:
+            count = _only_root(f, one, other, roots, count)
+        elif h < LEAST_CELL or not one < t < other or y + change <= blur:
             # Neighbours of a root that is touched are as undecided as the cell that holds it.
-            if count == 0 or abs(roots[count - 1] - t) > 100.0 * LEAST_CELL:
+            if count == 0 or abs(roots[count - 1] - t) > 100.0 * LEAST_CELL + 4.0 * h:
                 roots[count] = t
                 count += 1
         else:
-            cells[0, waiting], cells[1, waiting] = t - 0.5 * h, 0.5 * h
-            cells[0, waiting + 1], cells[1, waiting + 1] = t + 0.5 * h, 0.5 * h
+            cells[0, waiting], cells[1, waiting] = one, t
+            cells[0, waiting + 1], cells[1, waiting + 1] = t, other
             waiting += 2
     return count
 

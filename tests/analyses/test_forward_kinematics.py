@@ -67,6 +67,54 @@ def test_not_to_converge_is_an_answer() -> None:
     assert everything["certified"] == [True]
 
 
+def three_struts(at: list[tuple[float, float]]) -> dict[str, Any]:
+    legs = [{"drive": "strut", "base_point": [x, y, 0], "platform_point": [x, y, 0]} for x, y in at]
+    return {"kind": "custom", "motion": "planar", "legs": legs}
+
+
+@pytest.mark.parametrize("length", [0.0, -1.0, 1e-300, 1e-12])
+def test_struts_of_no_length_lead_nowhere(length: float) -> None:
+    mechanism = three_struts([(1.0, 0.1), (-0.5, 0.8), (-0.4, -0.9)])
+    body = ASKED | {"mechanism": mechanism, "actuators": [[length, 1.0, 1.0], [0.1, 0.12, 0.11]]}
+    found = answered(body | {"guess": [0.1, 0.2, 0.3]})
+    assert not found["newton"][0]["converged"]
+    assert found["newton"][0]["residual"] is None
+    json.dumps(found, allow_nan=False)
+    everything = answered(body)
+    assert everything["assembly_modes"][0] == []
+    assert everything["route"][0] == "impossible drives"
+
+
+@pytest.mark.parametrize("shift", [0.0, 10.0, 1e3, 1e6])
+def test_a_free_platform_is_not_certified_wherever_it_stands(shift: float) -> None:
+    legs = [
+        {
+            "drive": "crank",
+            "base_point": [x + shift, 0, 0],
+            "axis": [0, 0, 1],
+            "zero_direction": [1, 0, 0],
+            "crank_length": 0.5,
+            "rod_length": 0.5,
+            "platform_point": [0, 0, 0],
+        }
+        for x in (-0.3, 0.3)
+    ]
+    mechanism = {"kind": "custom", "motion": "planar_translation", "legs": legs}
+    # Both elbows stand at one point.
+    lean = float(np.arccos(0.6))
+    found = answered(ASKED | {"mechanism": mechanism, "actuators": [[lean, np.pi - lean]]})
+    assert found["certified"] == [False]
+
+
+@pytest.mark.parametrize("shift", [0.0, 1e3])
+def test_three_equal_struts_on_equal_bodies_are_not_certified(shift: float) -> None:
+    mechanism = three_struts([(1.0, 0.1), (-0.5, 0.8), (-0.4, -0.9)])
+    for leg in mechanism["legs"]:
+        leg["base_point"][0] += shift
+    found = answered(ASKED | {"mechanism": mechanism, "actuators": [[0.3, 0.3, 0.3]]})
+    assert found["certified"] == [False]
+
+
 def test_a_singular_mode_is_there_once_and_on_no_side() -> None:
     # Both rods stretched along one line: the elbows are two rods apart.
     found = answered(ASKED | {"actuators": [[np.pi - np.arccos(0.4), np.arccos(0.4)]]})

@@ -138,6 +138,44 @@ def test_ripples_vanish_where_their_polynomials_do() -> None:
         np.testing.assert_allclose(roots(f, -1.0, 2.0), part, atol=1e-8)
 
 
+def test_roots_on_the_edges_of_cells_are_found() -> None:
+    for place in np.arange(-12, 12) * math.pi / 12:
+        for other in np.arange(-12, 12) * math.pi / 6:
+            # sin(t - place) sin(t - other) = (cos(place - other) - cos(2t - place - other)) / 2
+            total = place + other
+            f = Ripple(
+                0.5 * math.cos(place - other),
+                0.0,
+                0.0,
+                -0.5 * math.cos(total),
+                -0.5 * math.sin(total),
+            )
+            found = np.array(roots(f, -math.pi, math.pi))
+            for root in (place, other):
+                turned = (root - found + 0.5 * math.pi) % math.pi - 0.5 * math.pi
+                assert np.min(np.abs(turned)) < 1e-6, (place, other)
+            if abs(math.sin(place - other)) > 1e-9 and math.sin(place) * math.sin(other) != 0.0:
+                assert found.size >= 4 - 2 * (abs(math.sin(place) * math.sin(other)) < 1e-9)
+
+
+def test_a_root_opposite_a_triple_one_is_found() -> None:
+    for shift in np.linspace(0.05, 1.0, 101):
+        # (1 - cos u) sin u, u = t - shift
+        c, s, cc, ss = math.cos(shift), math.sin(shift), math.cos(2 * shift), math.sin(2 * shift)
+        f = Ripple(0.0, -s, c, 0.5 * ss, -0.5 * cc)
+        found = roots(f, -math.pi, math.pi)
+        assert min(abs(root - shift + math.pi) for root in found) < 1e-7
+        assert min(abs(root - shift) for root in found) < 1e-4
+
+
+def test_a_strut_without_length_all_round_does_not_reach() -> None:
+    ends = [((0, 0, 0), (0.5, 0, 0)), ((0, 0.25, 0), (0, 0, 0)), ((0, 0, 0), (0, 0, 0))]
+    legs = [{"drive": "strut", "base_point": a, "platform_point": b} for a, b in ends]
+    mechanism = wired({"kind": "custom", "motion": "planar", "legs": legs})
+    turn = turned(mechanism, "phi", -math.pi, math.pi)
+    assert arcs_left(mechanism, [Reach(mechanism)], turn, np.zeros((3, 1)))[0].tolist() == [3]
+
+
 def test_a_ripple_that_touches_zero_has_a_root_there() -> None:
     # (1 - cos(t - 0.3)) (2 + cos t) touches 0 at 0.3 and is above elsewhere.
     c, s = math.cos(0.3), math.sin(0.3)
@@ -184,6 +222,16 @@ def test_dips_between_angles_are_found(depth: float) -> None:
     np.testing.assert_allclose(2.0 * math.pi - arcs.measures(9), width, atol=1e-8)
     arcs = narrowed(examined(whole(9), 0.1, raised, None), raised)
     np.testing.assert_allclose(arcs.measures(9), width, atol=1e-8)
+
+
+def test_dips_beside_the_ends_of_arcs_are_found() -> None:
+    def look(owners: Integers, angles: Floats) -> Floats:
+        return ((angles - 0.05) ** 2 - 1e-4)[None]
+
+    for stop in (0.1, 0.15, 0.4):
+        arc = Arcs(np.array([0]), np.array([0.0]), np.array([stop]))
+        left = narrowed(examined(arc, 0.1, look, None), look)
+        assert left.measures(1) == pytest.approx([stop - 0.02], abs=1e-8)
 
 
 def test_singularities_break_what_stays_far_from_its_limit_beside_them() -> None:
