@@ -70,14 +70,14 @@ def spliced(function: F) -> F:
     allocation, and far faster to compile where functions call functions. Python cannot call it:
     wrappers, each of which contains all of it again, would take as long to compile as the rest.
     """
+    options: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     compiled: F = numba.njit(
         function,
         nogil=True,
         error_model="numpy",
         forceinline=True,
-        no_cpython_wrapper=True,
-        no_cfunc_wrapper=True,
         fastmath={"contract", "reassoc", "nsz"},
+        **options,
     )
     return compiled
 
