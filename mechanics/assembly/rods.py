@@ -7,6 +7,7 @@ import numpy as np
 
 from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.kernels import newton
+from mechanics.kernels.crowding import crowded
 
 TRUST = 0.7
 """No step turns by more, nor moves by more times the rods' size. [rad]"""
@@ -80,25 +81,24 @@ class Poses:
 
 
 def improve(rods: Rods, positions: Floats, rotations: Floats) -> Poses:
-    """Return the poses to which Newton's method leads from these, shapes (n, 3) and (n, 3, 3)."""
-    count = len(positions)
-    p = np.ascontiguousarray(positions.T)
-    R = np.ascontiguousarray(rotations.reshape(count, 9).T)
-    poses = Poses(p, R, np.zeros(count, dtype=np.int64), np.empty(count), np.empty(count, bool))
+    """Return the poses to which Newton's method leads from these, shapes (3, n) and (9, n)."""
+    count = positions.shape[1]
+    iterations, residuals = np.zeros(count, dtype=np.int64), np.empty(count)
+    converged = np.empty(count, dtype=bool)
     newton.solve_rods(
-        np.ascontiguousarray(np.broadcast_to(rods.base[:, :, None], (6, 3, count))),
-        np.ascontiguousarray(rods.platform),
-        np.ascontiguousarray(np.broadcast_to(rods.lengths[:, None], (6, count))),
-        p,
-        R,
+        rods.base[:, :, None],
+        rods.platform,
+        rods.lengths[:, None],
+        positions,
+        rotations,
         TRUST,
         STEPS,
-        poses.iterations,
-        poses.residuals,
-        poses.converged,
+        iterations,
+        residuals,
+        converged,
     )
-    turned = np.ascontiguousarray(R.T).reshape(count, 3, 3)
-    return Poses(p.T, turned, poses.iterations, poses.residuals, poses.converged)
+    turned = np.ascontiguousarray(rotations.T).reshape(count, 3, 3)
+    return Poses(np.ascontiguousarray(positions.T), turned, iterations, residuals, converged)
 
 
 def distinct(rods: Rods, poses: Poses) -> Poses:
@@ -108,7 +108,9 @@ def distinct(rods: Rods, poses: Poses) -> Poses:
     double root Newton's method knows only half the digits.
     """
     rest = poses if poses.converged.all() else poses.take(poses.converged)
-    if len(rest.residuals) <= MOST_MODES and not _crowded(rods, rest):
+    if len(rest.residuals) <= MOST_MODES and not crowded(
+        rest.positions, rest.rotations, rods.size, APART
+    ):
         return rest
     rest = rest.take(np.argsort(rest.residuals, kind="stable"))
     kept = rest.take(np.arange(0))
@@ -117,14 +119,6 @@ def distinct(rods: Rods, poses: Poses) -> Poses:
         kept = joined(kept, first)
         rest = rest.take(~_same(rods, first, rest))
     return kept
-
-
-def _crowded(rods: Rods, poses: Poses) -> bool:
-    """Return whether any two poses are close."""
-    count = len(poses.residuals)
-    places = np.hstack([poses.positions / rods.size, poses.rotations.reshape(count, 9)])
-    away = np.abs(places[:, None] - places).max(axis=2, initial=0.0)
-    return int(np.count_nonzero(away < APART)) > count
 
 
 def _same(rods: Rods, first: Poses, others: Poses) -> Booleans:
@@ -165,7 +159,10 @@ def joined(a: Poses, b: Poses) -> Poses:
 
 
 def random_poses(rods: Rods, count: int, random: np.random.Generator) -> tuple[Floats, Floats]:
-    """Return poses turned anyhow, the platform's joints within the rods' reach of the base's."""
+    """Return poses turned anyhow, the platform's joints within the rods' reach of the base's.
+
+    Shapes (3, poses) and (9, poses), as `improve` takes them.
+    """
     q = random.normal(size=(count, 4))
     w, x, y, z = (q / np.linalg.norm(q, axis=1, keepdims=True)).T
     columns = [
@@ -178,4 +175,6 @@ def random_poses(rods: Rods, count: int, random: np.random.Generator) -> tuple[F
     radius = 1.2 * rods.lengths.max() * np.cbrt(random.random(count))
     away *= (radius / np.linalg.norm(away, axis=1))[:, None]
     centre = rods.base.mean(axis=0) - rotations @ rods.platform.mean(axis=0)
-    return centre + away, rotations
+    return np.ascontiguousarray((centre + away).T), np.ascontiguousarray(
+        np.array(columns).reshape(9, count)
+    )

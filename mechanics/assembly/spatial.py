@@ -12,21 +12,16 @@ from typing import Literal
 
 import numpy as np
 
-from mechanics.arrays import Floats, Integers
-from mechanics.assembly.endpoints import Endpoints
-from mechanics.assembly.normal_form import (
-    FRAME_SIGNS,
-    NormalForm,
-    in_all_frames,
-    normal_form,
-    poses,
-)
+from mechanics.arrays import Floats
+from mechanics.assembly.endpoints import Endpoints, endpoints_of
+from mechanics.assembly.normal_form import NormalForm, normal_form, poses
 from mechanics.assembly.rods import Poses, Rods, distinct, improve, joined, search
 from mechanics.assembly.starts import PATHS, Start, stored
 from mechanics.errors import GeometryError
-from mechanics.kernels.endpoints import from_frames
 from mechanics.kernels.homotopy import track
-from mechanics.kernels.path_steps import CAREFUL, LOST, SWIFT, Pace
+from mechanics.kernels.normal_form import faulty_rod
+from mechanics.kernels.path_steps import CAREFUL, SWIFT, Pace
+from mechanics.kernels.quadrics import in_all_frames
 
 Route = Literal["homotopy", "retracked", "restarted", "multistart"]
 
@@ -75,11 +70,11 @@ def spatial_modes(base: Floats, platform: Floats, lengths: Floats) -> SpatialMod
     Dietmaier, The Stewart-Gough platform of general geometry can have 40 real postures, 1998;
     Sommese and Wampler, The numerical solution of systems of polynomials, 2005, ch. 7.
     """
-    rods = Rods(*(np.asarray(given, dtype=float) for given in (base, platform, lengths)))
+    rods = Rods(*(np.ascontiguousarray(given, dtype=float) for given in (base, platform, lengths)))
     _check(rods)
     found: list[Poses] = []
     for number, (start, turn) in enumerate(zip(stored(), TURNS, strict=True)):
-        form = normal_form(rods.base, rods.platform, rods.lengths, turn)
+        form = normal_form(rods, turn)
         if form.rank == 0.0:
             break
         ends, again = _follow_all(form, start, SWIFT if number == 0 else CAREFUL)
@@ -93,10 +88,8 @@ def spatial_modes(base: Floats, platform: Floats, lengths: Floats) -> SpatialMod
 
 
 def _check(rods: Rods) -> None:
-    finite = np.isfinite(rods.base).all(axis=1) & np.isfinite(rods.platform).all(axis=1)
-    wrong = ~finite | ~((rods.lengths > 0.0) & np.isfinite(rods.lengths))
-    if wrong.any():
-        leg = int(np.argmax(wrong))
+    leg = faulty_rod(rods.base, rods.platform, rods.lengths)
+    if leg >= 0:
         raise GeometryError(
             f"its ends must be finite and its length above 0 m; given {rods.base[leg]}, "
             f"{rods.platform[leg]} and {rods.lengths[leg]}",
@@ -110,36 +103,25 @@ def _answer(modes: Poses, certified: bool, route: Route) -> SpatialModes:
 
 def _follow_all(form: NormalForm, start: Start, pace: Pace) -> tuple[Endpoints, bool]:
     """Return where the paths end, and whether some had to be followed again."""
-    target = np.ascontiguousarray(in_all_frames(form.coefficients).reshape(4, -1))
+    target = in_all_frames(form.coefficients)
     points, frames = np.empty_like(start.points), np.empty_like(start.frames)
     outcomes = np.empty(PATHS, dtype=np.int64)
     ends = (points, frames, outcomes)
     track(start.coefficients, target, start.points, start.frames, np.arange(PATHS), pace, *ends)
-    found = _ends(*ends, TOLERANCE)
+    found = endpoints_of(*ends, TOLERANCE, final=False)
     if not found.doubtful.any():
         return found, False
     # Both of a pair that fell together are doubtful: either may have jumped.
     chosen = np.flatnonzero(found.doubtful | found.multiple)
     track(start.coefficients, target, start.points, start.frames, chosen, CAREFUL, *ends)
-    return _ends(*ends, FINAL_TOLERANCE), True
-
-
-def _ends(points: Floats, frames: Integers, outcomes: Integers, tolerance: float) -> Endpoints:
-    """Return where the paths end; what is no number is lost."""
-    astray = ~np.isfinite(points).all(axis=1)
-    points[astray], outcomes[astray] = 0.0, LOST
-    solutions = from_frames(points, frames, FRAME_SIGNS)
-    return Endpoints(solutions, outcomes.copy(), tolerance, tolerance == FINAL_TOLERANCE)
+    return endpoints_of(*ends, FINAL_TOLERANCE, final=True), True
 
 
 def _modes(rods: Rods, form: NormalForm, ends: Endpoints) -> tuple[Poses, bool]:
     """Return the real modes, each once, and whether all ends add up to them."""
-    chosen = ends.nearly_real
-    positions, rotations = poses(form, ends.real_parts(chosen))
-    positions += rods.base[form.leg] - rotations @ rods.platform[form.leg]
-    improved = improve(rods, positions, rotations)
+    improved = improve(rods, *poses(rods, form, ends.nearly_real_parts))
     modes = distinct(rods, improved)
-    simple = ends.real[chosen]
+    simple = ends.real[ends.nearly_real]
     apart = modes if simple.all() else distinct(rods, improved.take(simple))
     certified = len(apart.residuals) == np.count_nonzero(simple) and not ends.doubtful.any()
     return modes, bool(certified)

@@ -14,7 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from mechanics.arrays import Complexes, Floats, Integers
-from mechanics.assembly.normal_form import PAIRS, in_all_frames, to_frames
+from mechanics.assembly.normal_form import to_frames
+from mechanics.kernels.quadrics import PAIRS, in_all_frames
 
 PATHS = 40
 
@@ -56,8 +57,7 @@ def read() -> list[tuple[Complexes, Complexes]]:
 
 def prepared(coefficients: Complexes, solutions: Complexes) -> Start:
     """Return a platform of these coefficients and solutions e, S3, D3, ready for `track`."""
-    turned = np.ascontiguousarray(in_all_frames(coefficients).reshape(4, -1))
-    return Start(turned.view(float), *to_frames(solutions))
+    return Start(in_all_frames(coefficients).view(float), *to_frames(solutions))
 
 
 def draw(random: np.random.Generator) -> Complexes:

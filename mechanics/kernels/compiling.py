@@ -67,14 +67,17 @@ def spliced(function: F) -> F:
     """Compile `function` once, and have the machine code of its callers contain it.
 
     What `inlined` is to Numba, this is to LLVM: as fast to run where the arrays come from one
-    allocation, and far faster to compile where functions call functions.
+    allocation, and far faster to compile where functions call functions. Python cannot call it:
+    wrappers, each of which contains all of it again, would take as long to compile as the rest.
     """
+    options: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     compiled: F = numba.njit(
         function,
         nogil=True,
         error_model="numpy",
         forceinline=True,
         fastmath={"contract", "reassoc", "nsz"},
+        **options,
     )
     return compiled
 

@@ -72,7 +72,7 @@ def track(
     while busy > 0:
         steps += 1
         predict(w)
-        for _ in range(2):
+        for _ in range(pace.corrections):
             correct(w)
         decide(w, pace)
         remember(w)

@@ -57,9 +57,9 @@ def solve_rods(
 
     Parameters
     ----------
-    base : array, shape (6, 3, poses): the rods' fixed ends. [m]
+    base : array, shape (6, 3, poses) or (6, 3, 1): the rods' fixed ends. [m]
     platform : array, shape (6, 3): their ends on the platform. [m]
-    lengths : array, shape (6, poses). [m]
+    lengths : array, shape (6, poses) or (6, 1). [m]
     positions, rotations : arrays, shapes (3, poses) and (9, poses), guesses and answers. [m, -]
     trust : no step turns by more, nor moves by more times the rods' size. [rad]
     limit : how many steps are made at most.
@@ -98,9 +98,10 @@ def take(
     w: Floats, first: int, base: Floats, lengths: Floats, positions: Floats, rotations: Floats
 ) -> None:
     """Fill the lanes with the poses from `first` on, the last of them again if they are too few."""
-    last = positions.shape[1] - 1
+    last, last_given = positions.shape[1] - 1, lengths.shape[1] - 1
     for i in range(LANES):
         n = min(first + i, last)
+        given = min(n, last_given)
         square = 0.0
         for k in range(3):
             w[POSITION + k, i] = positions[k, n]
@@ -108,9 +109,9 @@ def take(
             w[ROTATION + k, i] = rotations[k, n]
         for k in range(6):
             for j in range(3):
-                w[BASE + 3 * k + j, i] = base[k, j, n]
-            w[LENGTHS + k, i] = lengths[k, n]
-            square += lengths[k, n] * lengths[k, n]
+                w[BASE + 3 * k + j, i] = base[k, j, given]
+            w[LENGTHS + k, i] = lengths[k, given]
+            square += lengths[k, given] * lengths[k, given]
         w[SCALE, i] = math.sqrt(square / 6.0)
         w[MOVING, i] = 1.0
         w[ITERATIONS, i] = 0.0

@@ -51,7 +51,8 @@ class Pace(NamedTuple):
 
     A step counts if its first Newton step stays below `widest` and the second below
     `contraction` times the first. The next one is to have a first Newton step of
-    `aim` / (second / first^2), but at most `most`.
+    `aim` / (second / first^2), but at most `most`. There are always two `corrections`, but the
+    compiler need not know: written out twice they would not fit the cache of instructions.
     """
 
     widest: float
@@ -63,6 +64,7 @@ class Pace(NamedTuple):
     growth: float
     least: float
     patience: float
+    corrections: int = 2
 
 
 SWIFT = Pace(0.08, 0.08, 0.015, 0.02, 0.1, 0.3, 2.0, 1e-9, 120.0)

@@ -71,14 +71,17 @@ def modes(of: Platform, random: Random, starts: int = 1000, steps: int = 30) -> 
     away = random.normal(size=(starts, 3)) * size / 2
     centre = np.einsum("nij,j->ni", rotations(q), of.platform.mean(axis=0))
     x = np.hstack([of.base.mean(axis=0) - centre + away, q])
+    moving = np.arange(starts)
     with np.errstate(all="ignore"):
         for _ in range(steps):
-            errors, jacobians = _equations(of, x)
+            errors, jacobians = _equations(of, x[moving])
             jacobians += 1e-14 * np.eye(7)
             step = np.linalg.solve(jacobians, errors[..., None])[..., 0]
             sizes = np.linalg.norm(step / np.r_[np.full(3, size), np.ones(4)], axis=1)
-            x = x - step * np.minimum(1.0, 0.5 / sizes)[:, None]
-            x[:, 3:] /= np.linalg.norm(x[:, 3:], axis=1, keepdims=True)
+            x[moving] -= step * np.minimum(1.0, 0.5 / sizes)[:, None]
+            x[moving, 3:] /= np.linalg.norm(x[moving, 3:], axis=1, keepdims=True)
+            # A step as small as this leaves an error of rounding, unless the root is a double one.
+            moving = moving[sizes > 1e-9]
         errors = np.abs(_equations(of, x)[0]).max(axis=1)
     found = x[errors < 1e-12 * size**2]
     return _each_once(np.hstack([found[:, :3], rotations(found[:, 3:]).reshape(-1, 9)]))
