@@ -55,8 +55,15 @@ types: $(STAMP) ## mypy, strict
 contracts: $(STAMP) ## Who may import whom
 	$(BIN)/lint-imports
 
+# What only computes runs on all cores; what starts servers, kills and times them runs alone.
+COMPUTING := analyses exports mechanics properties reference schemas
 tests: $(STAMP) ## pytest (ARGS="tests/mechanics -k effort" for some)
+ifdef ARGS
 	$(BIN)/pytest $(ARGS)
+else
+	$(BIN)/pytest --numprocesses=auto --dist=loadscope $(COMPUTING:%=tests/%)
+	$(BIN)/pytest $(COMPUTING:%=--ignore=tests/%)
+endif
 
 bench: $(VENV)/.bench ## Measure the kernels against floors and rivals
 	$(BIN)/python -m benchmarks

@@ -56,10 +56,16 @@ class FieldSummaries:
             )
         pose = self.setup.grid.poses(extremes.node, extremes.node + 1)[:, 0]
         names = self.setup.mechanism.motion.coordinates
+        orientations = self.setup.orientations
+        ranged = () if orientations is None else orientations.coordinates
         return FieldSummary.model_construct(
             min=extremes.least,
             max=extremes.greatest,
-            at_max=dict(zip(names, pose.tolist(), strict=True)),
+            at_max={
+                name: value
+                for name, value in zip(names, pose.tolist(), strict=True)
+                if name not in ranged
+            },
             unit=unit,
             histogram=histogram,
         )

@@ -184,7 +184,8 @@ def _with_dips(samples: Samples, look: Look) -> Samples:
     """Return the samples with an angle of the other verdict wherever one is found between two.
 
     Where a margin, held or missed, is nearer to 0 than at its neighbours, it may come nearer still
-    between them; how near is sought by golden sections unless the neighbours rule it out.
+    between them; how near is sought by golden sections, unless it would have to
+    change by more than it does from one angle to the next about it.
     """
     size = np.where(np.isnan(samples.margins), -np.inf, samples.margins)
     holds = samples.holds
@@ -220,7 +221,10 @@ def _candidates(samples: Samples, size: Floats) -> tuple[Integers, Integers]:
     alike[:, :-1] &= ~changed
     with np.errstate(invalid="ignore"):
         least = ~(size > before) & ~(size > after) & ((size < before) | (size < after))
-        reachable = size < np.fmax(before - size, after - size)
+        changes = np.where(joined, np.abs(size[:, 1:] - size[:, :-1]), 0.0)
+        around = np.pad(changes, ((0, 0), (2, 2)))
+        steepest = np.maximum.reduce([around[:, k : k + size.shape[1]] for k in range(4)])
+        reachable = ~(size >= steepest)
     parts, at = np.nonzero(alike & least & reachable)
     return parts, at
 

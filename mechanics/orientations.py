@@ -31,6 +31,12 @@ class Orientations:
     turn: Turn | None
     extent: float
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The turns that the range is of."""
+        last = () if self.turn is None else (self.turn.coordinate,)
+        return (*(axis.coordinate for axis in self.grid.axes), *last)
+
 
 def scan_orientations(
     mechanism: Mechanism,

@@ -39,6 +39,8 @@ GOOD = OUTCOME + 1
 WEIGHTS = GOOD + 1
 ROWS = WEIGHTS + 6
 
+MOST_STEPS = 3000.0
+"""A path of more steps creeps, however good they are, and is lost; most need a tenth of it."""
 RUNNING, ARRIVED, SINGULAR, AT_INFINITY, LOST = 0, 1, 2, 3, 4
 """What becomes of a path: it ends in a root, a multiple one, where h = 0, or nowhere."""
 
@@ -194,6 +196,7 @@ def outcome_of(w: Floats, i: int, rest: float, stuck: bool, patience: float) -> 
     infinite = (rest < 0.01) & (w[SIZE, i] < 2.5e-3 * w[NORM, i] * w[NORM, i])
     outcome = (AT_INFINITY if infinite else LOST) if stuck else RUNNING
     outcome = AT_INFINITY if infinite & (w[COUNT, i] > patience) else outcome
+    outcome = LOST if w[COUNT, i] > MOST_STEPS else outcome
     return SINGULAR if w[POLISHED, i] >= 6.0 else outcome
 
 

@@ -1,5 +1,6 @@
 """All assembly modes of six rods of given lengths, against the poses that gave the lengths."""
 
+import math
 from functools import cache
 
 import numpy as np
@@ -186,3 +187,15 @@ def test_the_stored_start_has_these_forty_solutions() -> None:
     phases = np.sum(solved[:, :4].conj() * stored[partners, :4], axis=1)[:, None]
     aligned = np.hstack([solved[:, :4] * phases, solved[:, 4:] * phases**2])
     np.testing.assert_allclose(aligned, stored[partners], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "lengths", [[1e-6] * 6, [1.2] * 5 + [1e4], [0.36, 0.39, 5.5, 1.8, 2e3, 340.0]]
+)
+def test_rods_far_from_any_platform_are_given_up(lengths: list[float]) -> None:
+    base = [[math.cos(a), math.sin(a), 0.0] for a in (0.0, 0.5, 2.1, 2.6, 4.2, 4.7)]
+    platform = [
+        [0.5 * math.cos(a), 0.5 * math.sin(a), 0.0] for a in (-0.4, 0.9, 1.7, 3.0, 3.8, 5.1)
+    ]
+    # Nothing is near these rods; what counts is that the search ends.
+    assert spatial_modes(np.array(base), np.array(platform), np.array(lengths)).residuals.size == 0

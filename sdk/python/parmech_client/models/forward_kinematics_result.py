@@ -19,7 +19,7 @@ class ForwardKinematicsResult:
     Attributes:
         analysis (Literal['forward_kinematics']):
         assembly_modes (list[list[AssemblyMode]]): Per row, by falling determinant; empty where the drives are out of
-            reach.
+            reach. Where the platform can move while the drives stand still, samples of its path, if any.
         certified (list[bool]): Whether these are all: not known where the platform can move while the drives stand
             still, nor of multistart.
         determinant_unit (str):
