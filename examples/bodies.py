@@ -75,7 +75,6 @@ def types_of_3rrr(mechanism: Json) -> dict[str, Json]:
     def ask(type_: str, grid: list[Json], **more: Any) -> Json:  # noqa: ANN401
         return workspace(mechanism, "theoretical", type_, grid, **more)
 
-    finer = [{"coordinate": "phi", "step": math.radians(0.5)}]
     quarter = [{"coordinate": "phi", "min": 0.0, "max": math.pi / 2}]
     return {
         "phi = 0": ask("constant_orientation", plane, fixed={"phi": 0.0}),
@@ -84,7 +83,7 @@ def types_of_3rrr(mechanism: Json) -> dict[str, Json]:
         "elsewhere": ask("orientation", turns, fixed=ELSEWHERE),
         "full": ask("full", plane),
         "quarter": ask("inclusive_orientation", plane, orientation_range=quarter),
-        "maximal": ask("maximal", plane, orientation_range=finer),
+        "maximal": ask("maximal", plane),
     }
 
 
