@@ -20,7 +20,7 @@ from mechanics.families.delta import delta_linear
 from mechanics.families.hexapods import gough_stewart
 from mechanics.families.planar_3rrr import planar_3rrr
 from mechanics.grid import Axis, Grid
-from mechanics.kernels import batches
+from mechanics.kernels import batches, newton
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.orientations import Orientations, scan_orientations
@@ -262,6 +262,39 @@ def inverse_of_struts() -> None:
     compare(name, ours, POSES, "basic-robotics, IK", loop, rival_items=200)
 
 
+def forward_of_struts() -> None:
+    """Compare Newton's iteration from a guess, a pose, with basic-robotics' forward kinematics."""
+    mechanism, rows = hexapod()
+    rows = np.ascontiguousarray(rows[:100_000] * [1.0, 1.0, 1.0, 0.3, 0.3, 0.3])
+    poses = np.ascontiguousarray(rows.T)
+    count = poses.shape[1]
+    lengths = np.empty((6, count))
+    batches.actuators(mechanism.motion.kernel, mechanism.legs, poses, lengths)
+    platform = mechanism.legs.platform_point
+    base = np.repeat(mechanism.legs.base_point[:, :, None], count, axis=2)
+    places, turns = np.empty((3, count)), np.empty((9, count))
+    iterations, residuals = np.zeros(count, dtype=np.int64), np.empty(count)
+    converged = np.empty(count, dtype=bool)
+
+    def ours() -> None:
+        places[:] = [[0.0], [0.0], [1.0]]
+        turns[:] = np.eye(3).reshape(9, 1)
+        newton.solve_rods(
+            base, platform, lengths, places, turns, 0.7, 20, iterations, residuals, converged
+        )
+
+    ours()
+    assert converged.all(), f"{np.count_nonzero(~converged)} guesses did not converge"
+    assert np.abs(places - poses[:3]).max() < 1e-9
+    forward = rivals.basic_robotics_forward(mechanism.legs.base_point, platform)
+    asked = lengths[:, :50].T.copy()
+    difference = np.abs([forward(row) for row in asked] - poses[:3, :50].T).max()
+    assert difference < 1e-3, f"basic-robotics and we differ by {difference} m"
+    loop = partial(rivals.for_each, forward, asked)
+    name = "6-SPS from a guess, a pose"
+    compare(name, ours, count, "basic-robotics, FK", loop, rival_items=50)
+
+
 def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:
     """Compare worst-direction efforts from poses with batched inversion of ready Jacobians."""
     poses = np.ascontiguousarray(rows.T)
@@ -288,6 +321,7 @@ if __name__ == "__main__":
     orientations()
     fields()
     inverse_of_struts()
+    forward_of_struts()
     random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))
     efforts("3-RRR efforts from poses, a pose", planar(), random_poses)
     efforts("6-SPS efforts from poses, a pose", *hexapod())

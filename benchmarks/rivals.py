@@ -1,7 +1,8 @@
 """What we are measured against: the same questions in NumPy, and bare loops as floors."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from typing import TypeVar
 
 import numba
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 Floats = NDArray[np.float64]
+Item = TypeVar("Item")
 
 
 def reach_grid(
@@ -159,7 +161,18 @@ def basic_robotics_inverse(base: Floats, platform: Floats) -> Callable[[tm], Flo
     return lambda pose: np.ravel(model.IK(pose, protect=True)[0])
 
 
-def for_each(function: Callable[[tm], Floats], poses: list[tm]) -> None:
-    """Call the function for pose after pose."""
-    for pose in poses:
-        function(pose)
+def basic_robotics_forward(base: Floats, platform: Floats) -> Callable[[Floats], Floats]:
+    """Return the function from strut lengths, shape (6,), to a position, of basic-robotics.
+
+    Its own Newton iteration, compiled by Numba, from the pose that it found last.
+    """
+    start = tm([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+    model = SP(base.T.copy(), platform.T.copy(), tm(), start, 0.1, 10.0, 0.0, 0.0, "hexapod")
+    model.IK(start, protect=True)
+    return lambda lengths: model.FK(lengths.reshape(6, 1), protect=True, fk_mode=1)[0].gTM()[:3, 3]
+
+
+def for_each(function: Callable[[Item], Floats], items: Iterable[Item]) -> None:
+    """Call the function for item after item."""
+    for item in items:
+        function(item)
