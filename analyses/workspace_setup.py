@@ -138,7 +138,8 @@ def _size_errors(
     axes = [Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid]
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
     setup = set_up(request)
-    many = tries(setup.orientations, setup.conditions)
+    modes = len(setup.mechanisms)
+    many = tries(setup.orientations, setup.conditions) * modes
     turn = None if setup.orientations is None else setup.orientations.turn
     if turn is not None and turn.step * MOST_ANGLES < turn.high - turn.low:
         least = (turn.high - turn.low) / MOST_ANGLES
@@ -146,7 +147,8 @@ def _size_errors(
     if nodes * many <= node_limit:
         return []
     if many > 1:
-        detail = f"{nodes:.6g} nodes at {many} orientations each; at most {node_limit} are allowed"
+        times = f"{many} times each, orientations and working modes counted"
+        detail = f"{nodes:.6g} nodes, {times}; at most {node_limit} are allowed"
         return [("/orientation_range" if many > node_limit else "/grid", detail)]
     factor = _coarsening(axes, node_limit)
     coarse = [_coarser(axis, factor) for axis in axes]

@@ -358,17 +358,17 @@ def hold_at(
         d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
         banded = _by_band(tests[k], drive, leg, d)
         low, high = bounds[k, 0], bounds[k, 1]
-        for i in range(holds.size):
-            if rotations.shape[1] > 1:
-                d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-                banded = _by_band(tests[k], drive, leg, d)
-            if not banded:
-                holds[i] = False
-                continue
-            here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
-            if tests[k] != SPAN:
-                low, high = _band(tests[k], drive, leg, here)
-            X = square(here)
-            angle = i // together
-            reached = X.m + X.c * cosines[angle] + X.s * sines[angle]
-            holds[i] = holds[i] and reached >= low and reached <= high
+        for angle in range(cosines.size):
+            for i in range(angle * together, min((angle + 1) * together, holds.size)):
+                if rotations.shape[1] > 1:
+                    d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
+                    banded = _by_band(tests[k], drive, leg, d)
+                if not (banded and holds[i]):
+                    holds[i] = False
+                    continue
+                here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
+                if tests[k] != SPAN:
+                    low, high = _band(tests[k], drive, leg, here)
+                X = square(here)
+                reached = X.m + X.c * cosines[angle] + X.s * sines[angle]
+                holds[i] = reached >= low and reached <= high
