@@ -68,6 +68,8 @@ def stop_between_writes(works: Works, engine: subprocess.Popen[bytes]) -> None:
                 return
         except storage.DatabaseUnavailable:
             engine.send_signal(signal.SIGCONT)
+            # Stopped again at once it would still be in the same write.
+            time.sleep(0.1)
 
 
 def test_an_engine_that_was_silent_leaves_its_job_to_another(works: Works) -> None:
