@@ -153,10 +153,16 @@ def transformations(rows: Floats) -> list[tm]:
     return [tm(matrix) for matrix in matrices]
 
 
-def basic_robotics_inverse(base: Floats, platform: Floats) -> Callable[[tm], Floats]:
-    """Return the strut lengths' function, shape (6,), of basic-robotics' Stewart platform."""
+def _basic_robotics(base: Floats, platform: Floats) -> SP:
     start = tm([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
     model = SP(base.T.copy(), platform.T.copy(), tm(), start, 0.1, 10.0, 0.0, 0.0, "hexapod")
+    model.IK(start, protect=True)
+    return model
+
+
+def basic_robotics_inverse(base: Floats, platform: Floats) -> Callable[[tm], Floats]:
+    """Return the strut lengths' function, shape (6,), of basic-robotics' Stewart platform."""
+    model = _basic_robotics(base, platform)
     # Protected: without the checks of the pose that it makes otherwise.
     return lambda pose: np.ravel(model.IK(pose, protect=True)[0])
 
@@ -166,9 +172,7 @@ def basic_robotics_forward(base: Floats, platform: Floats) -> Callable[[Floats],
 
     Its own Newton iteration, compiled by Numba, from the pose that it found last.
     """
-    start = tm([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])
-    model = SP(base.T.copy(), platform.T.copy(), tm(), start, 0.1, 10.0, 0.0, 0.0, "hexapod")
-    model.IK(start, protect=True)
+    model = _basic_robotics(base, platform)
     return lambda lengths: model.FK(lengths.reshape(6, 1), protect=True, fk_mode=1)[0].gTM()[:3, 3]
 
 

@@ -44,7 +44,7 @@ class Grid:
 
     Parameters
     ----------
-    axes : at least one; nodes are counted with the last axis fastest.
+    axes : nodes are counted with the last one fastest; a grid of no axes is one pose.
     columns : for each axis, the index of its coordinate in a pose.
     fixed : array, shape (coordinates,): the value of every coordinate that no axis drives.
     """
