@@ -53,6 +53,18 @@ class Curve(NamedTuple):
     torque_factor: Floats
 
 
+def require_cycle(mesh: Mesh) -> float:
+    """Return the base pitch, which is the length of a cycle. [m]
+
+    Raises
+    ------
+    GearError : the base pitch is not known.
+    """
+    if mesh.base_pitch is None:
+        raise GearError("must be given: a cycle is one base pitch long", "base_pitch")
+    return mesh.base_pitch
+
+
 def pieces(mesh: Mesh) -> Iterator[Piece]:
     """Yield the stretches of a cycle in order.
 
@@ -60,9 +72,8 @@ def pieces(mesh: Mesh) -> Iterator[Piece]:
     ------
     GearError : the base pitch is not known.
     """
-    pitch, ratio = mesh.base_pitch, mesh.contact_ratio
-    if pitch is None or ratio is None:
-        raise GearError("must be given: a cycle is one base pitch long", "base_pitch")
+    pitch = require_cycle(mesh)
+    ratio = (mesh.approach + mesh.recess) / pitch
     events = sorted({0.0, 1.0, ratio % 1.0, (mesh.approach / pitch) % 1.0})
     numbers = np.arange(math.ceil(ratio))
     start = events[0]
@@ -112,8 +123,7 @@ def curve(mesh: Mesh, points: int, sense: Sense, pitch_speed: float) -> Curve:
 
 def _factor(mesh: Mesh, piece: Piece, phase: Floats, sense: Sense, pitch_speed: float) -> Floats:
     pairs = np.arange(piece.sides.size)[:, None]
-    pitch = mesh.base_pitch or math.nan
-    places = piece.first + pitch * (phase + pairs)
+    places = piece.first + require_cycle(mesh) * (phase + pairs)
     force = shares(
         mesh, places, np.broadcast_to(piece.sides[:, None], places.shape), sense, pitch_speed
     )

@@ -12,6 +12,9 @@ from mechanics.gears.mesh import Mesh, check_contact_ratio, check_friction
 _OFF_LINE = 1e-3
 """A point may be off its line by this share of its distance; coordinates are rounded by hand."""
 
+LEAST_DISTANCE = 1e-9
+"""Between centres. [m]"""
+
 _NOTHING = 1e-9
 """Shares of the centre distance below this are rounding."""
 
@@ -74,8 +77,12 @@ def point_mesh(
 def _pitch_radii(first: Floats, second: Floats, pitch_point: Floats) -> tuple[float, float]:
     """Return the pitch radii, below 0 for a ring. [m]"""
     distance = float(np.linalg.norm(second - first))
-    if distance == 0.0:
-        raise GearError("must differ from input_centre; they coincide", "output_centre")
+    if distance < LEAST_DISTANCE:
+        raise GearError(
+            f"must be at least {LEAST_DISTANCE:g} m from input_centre; they are {distance:.6g} m "
+            "apart",
+            "output_centre",
+        )
     off = abs(_cross(second - first, pitch_point - first)) / distance
     if off > _OFF_LINE * distance:
         raise GearError(

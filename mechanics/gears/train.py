@@ -1,6 +1,8 @@
 """Trains of meshes, from the output to the motor."""
 
+import itertools
 import math
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -16,7 +18,7 @@ from mechanics.gears.contact import (
     sliding_speed,
     torque_factor,
 )
-from mechanics.gears.cycle import mean_torque_factor
+from mechanics.gears.cycle import mean_torque_factor, require_cycle
 from mechanics.gears.errors import GearError
 from mechanics.gears.mesh import Mesh
 
@@ -34,17 +36,17 @@ class Transfer:
     ----------
     torque_factor : input torque over that without friction; NaN if the teeth lock.
     efficiency : power that comes out over power that goes in; 0 if the teeth lock.
-    place : of the contact on the line of action; None for a mean. [m]
-    input_arm, output_arm : of the force about the centres; None for a mean. [m]
-    sliding_speed : at the contact; None for a mean, NaN without a speed. [m/s]
+    place : of the contact on the line of action; NaN for a mean. [m]
+    input_arm, output_arm : of the force about the centres; NaN for a mean. [m]
+    sliding_speed : at the contact; NaN for a mean or without a speed. [m/s]
     """
 
     torque_factor: float
     efficiency: float
-    place: float | None
-    input_arm: float | None
-    output_arm: float | None
-    sliding_speed: float | None
+    place: float
+    input_arm: float
+    output_arm: float
+    sliding_speed: float
 
     @property
     def locks(self) -> bool:
@@ -100,22 +102,47 @@ def carry(
     ------
     GearError : there is no such contact in a mesh, see `transfer`.
     """
-    stages: list[Stage] = []
-    torque, frictionless, speed = output_torque, output_torque, output_speed
-    for mesh in train:
-        found = transfer(mesh, contact, sense, mesh.speed_radius * speed)
-        stage = Stage(
-            found,
-            torque,
-            torque * mesh.ratio * found.torque_factor,
-            frictionless,
-            frictionless * mesh.ratio,
-            speed,
-            speed / mesh.ratio,
-        )
-        stages.append(stage)
-        torque, frictionless = stage.input_torque, stage.frictionless_input_torque
-        speed = stage.input_speed
+    speeds = shaft_speeds(train, output_speed)
+    transfers = [
+        transfer(mesh, contact, sense, mesh.speed_radius * speed)
+        for mesh, speed in zip(train, speeds, strict=False)
+    ]
+    return pass_on(train, transfers, output_torque, speeds)
+
+
+def shaft_speeds(train: Sequence[Mesh], output_speed: float) -> tuple[float, ...]:
+    """Return the speeds of all shafts, one more than meshes, from the output to the motor. [rad/s]
+
+    Parameters
+    ----------
+    train : meshes, the one at the output first.
+    output_speed : of the output shaft; NaN if not known. [rad/s]
+    """
+    ratios = itertools.accumulate((mesh.ratio for mesh in train), operator.mul, initial=1.0)
+    return tuple(output_speed / ratio for ratio in ratios)
+
+
+def pass_on(
+    train: Sequence[Mesh],
+    transfers: Sequence[Transfer],
+    output_torque: float,
+    speeds: Sequence[float],
+) -> tuple[Stage, ...]:
+    """Return the torques mesh by mesh, given what each mesh makes of a torque.
+
+    Parameters
+    ----------
+    train, transfers : of each mesh, the one at the output first.
+    output_torque : of the load on the output. [N m]
+    speeds : of the shafts, as `shaft_speeds`. [rad/s]
+    """
+    stages = []
+    torque = frictionless = output_torque
+    for mesh, found, speeds_here in zip(train, transfers, itertools.pairwise(speeds), strict=True):
+        before, before_frictionless = torque, frictionless
+        torque = before * mesh.ratio * found.torque_factor
+        frictionless = before_frictionless * mesh.ratio
+        stages.append(Stage(found, before, torque, before_frictionless, frictionless, *speeds_here))
     return tuple(stages)
 
 
@@ -134,9 +161,10 @@ def transfer(mesh: Mesh, contact: Contact, sense: Sense, pitch_speed: float = ma
     GearError : a mean is asked for and the base pitch is not known, the mesh has no place of its
         own, or its teeth never touch at the pitch point.
     """
+    check_contact(mesh, contact)
     if contact == "mean":
         factor = mean_torque_factor(mesh, sense, pitch_speed)
-        return Transfer(factor, efficiency(factor, sense), None, None, None, None)
+        return Transfer(factor, efficiency(factor, sense), *[math.nan] * 4)
     if contact == "worst":
         ends = (
             at_place(mesh, -mesh.approach, sense, pitch_speed),
@@ -144,6 +172,19 @@ def transfer(mesh: Mesh, contact: Contact, sense: Sense, pitch_speed: float = ma
         )
         return min(ends, key=lambda end: end.efficiency)
     return at_place(mesh, _place(mesh, contact), sense, pitch_speed)
+
+
+def check_contact(mesh: Mesh, contact: Contact) -> None:
+    """Raise GearError if the teeth of a mesh cannot be asked about this contact."""
+    if contact == "mean":
+        require_cycle(mesh)
+    elif contact == "explicit" and mesh.contact is None:
+        raise GearError("must be given where the contact is explicit", "contact_position")
+    elif contact == "pitch" and min(mesh.approach, mesh.recess) < 0.0:
+        raise GearError(
+            "the pitch point lies outside of the part of the line of action where teeth touch, "
+            f"which is from {-mesh.approach:.6g} to {mesh.recess:.6g} m from it"
+        )
 
 
 def at_place(mesh: Mesh, place: float, sense: Sense, pitch_speed: float = math.nan) -> Transfer:
@@ -162,21 +203,8 @@ def efficiency(factor: float, sense: Sense) -> float:
 
 
 def _place(mesh: Mesh, contact: Contact) -> float:
-    if contact == "pitch":
-        _check_pitch_point(mesh)
-        return 0.0
     if contact == "approach_end":
         return -mesh.approach
     if contact == "recess_end":
         return mesh.recess
-    if mesh.contact is None:
-        raise GearError("must be given where the contact is explicit", "contact_position")
-    return mesh.contact
-
-
-def _check_pitch_point(mesh: Mesh) -> None:
-    if min(mesh.approach, mesh.recess) < 0.0:
-        raise GearError(
-            "the pitch point lies outside of the part of the line of action where teeth touch, "
-            f"which is from {-mesh.approach:.6g} to {mesh.recess:.6g} m from it"
-        )
+    return mesh.contact if contact == "explicit" and mesh.contact is not None else 0.0
