@@ -17,7 +17,7 @@ def job_document(job: JobRow) -> Job:
     return Job(
         id=job.id,
         analysis=job.analysis,
-        mechanism=job.mechanism_id or "",
+        mechanism=job.mechanism_id,
         state=job.state.value,
         progress=Progress(done=job.done, total=job.items, fraction=job.done / job.items),
         attempt=job.attempt,
