@@ -94,14 +94,15 @@ def mean_torque_factor(mesh: Mesh, sense: Sense, pitch_speed: float) -> float:
     ------
     GearError : the base pitch is not known.
     """
-    total = 0.0
+    # Of what is lost, so that no friction loses exactly nothing.
+    lost = 0.0
     for piece in pieces(mesh):
         half = 0.5 * (piece.stop - piece.start)
         phase = np.concatenate([[piece.start], piece.start + half * (1.0 + _NODES), [piece.stop]])
         # Both ends only tell whether teeth lock: the sums are monotonous between them.
         weights = half * np.concatenate([[0.0], _WEIGHTS, [0.0]])
-        total += float(weights @ _factor(mesh, piece, phase, sense, pitch_speed))
-    return total
+        lost += float(weights @ (_factor(mesh, piece, phase, sense, pitch_speed) - 1.0))
+    return 1.0 + lost
 
 
 def curve(mesh: Mesh, points: int, sense: Sense, pitch_speed: float) -> Curve:

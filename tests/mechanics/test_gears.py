@@ -114,9 +114,13 @@ def test_mean_loss_with_much_friction_is_up_to_three_per_cent_more(
 
 @pytest.mark.parametrize("contact", ["pitch", "approach_end", "recess_end", "worst", "mean"])
 @pytest.mark.parametrize("sense", ["driving", "back_driving"])
-def test_without_friction_torques_are_exactly_in_the_ratio(contact: Contact, sense: Sense) -> None:
-    (stage,) = carry([spur_mesh(teeth(20, 43), Coulomb(0.0))], 50.0, contact, sense=sense)
-    assert stage.input_torque == stage.frictionless_input_torque == 50.0 * (20 / 43)
+@pytest.mark.parametrize("counts", RANGE)
+def test_without_friction_torques_are_exactly_in_the_ratio(
+    contact: Contact, sense: Sense, counts: tuple[int, int]
+) -> None:
+    (stage,) = carry([spur_mesh(teeth(*counts), Coulomb(0.0))], 50.0, contact, sense=sense)
+    assert stage.input_torque == stage.frictionless_input_torque
+    assert stage.input_torque == 50.0 * (counts[0] / counts[1])
     assert stage.transfer.efficiency == 1.0
 
 
