@@ -1,12 +1,13 @@
 """Wheels, meshes and trains against textbook formulas, and what they refuse."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from mechanics.arrays import Floats
 from mechanics.gears.contact import Sense
 from mechanics.gears.cycle import curve, mean_torque_factor
 from mechanics.gears.errors import GearError
@@ -295,3 +296,25 @@ def test_a_pair_that_never_touches_at_the_pitch_point() -> None:
     assert mesh.approach < 0.0
     with pytest.raises(GearError, match="pitch point lies outside"):
         transfer(mesh, "pitch", "driving")
+
+
+@dataclass(frozen=True)
+class Stribeck:
+    """Friction that falls with speed."""
+
+    def coefficient(self, sliding_speed: Floats) -> Floats:
+        """Return less friction the faster the teeth slide."""
+        return 0.05 + 0.1 * np.exp(-sliding_speed)
+
+
+@pytest.mark.parametrize("place", [-0.003, 0.002])
+def test_another_law_is_asked_at_the_sliding_speed(place: float) -> None:
+    wheels = teeth(20, 40)
+    mesh = spur_mesh(wheels, Stribeck())
+    slide = 1.5 * (1.0 / 0.02 + 1.0 / 0.04) * abs(place)
+    same = spur_mesh(wheels, Coulomb(0.05 + 0.1 * math.exp(-slide)))
+    for sense in ("driving", "back_driving"):
+        found = at_place(mesh, place, sense, 1.5)
+        expected = at_place(same, place, sense, 1.5)
+        assert found.torque_factor == pytest.approx(expected.torque_factor, rel=1e-12)
+        assert found.input_arm == pytest.approx(expected.input_arm, rel=1e-12)
