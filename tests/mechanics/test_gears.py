@@ -86,6 +86,18 @@ def test_shifted_pair_of_a_catalogue() -> None:
     assert 2.0 * np.array(found.tip_radii) == pytest.approx([44.840e-3, 79.400e-3], abs=5e-7)
 
 
+def test_tip_thickness_by_the_flanks_points() -> None:
+    """Where an involute from half a tooth at the pitch circle has unwound to the tip circle."""
+    count, shift = 25, 0.4
+    found = pair(teeth(count, 40, shifts=(shift, 0.0)))
+    half = 0.5 * math.pi / count + 2.0 * shift * math.tan(ANGLE) / count
+    unwound = [math.sqrt((r / found.base_radii[0]) ** 2 - 1.0) for r in (0.025, found.tip_radii[0])]
+    # Polar angle of an involute's point: the angle unwound less the angle of contact.
+    polar = [t - math.atan(t) for t in unwound]
+    thickness = 2.0 * found.tip_radii[0] * (half - (polar[1] - polar[0]))
+    assert found.tip_thickness[0] == pytest.approx(thickness, rel=1e-9)
+
+
 @pytest.mark.parametrize("counts", RANGE)
 @pytest.mark.parametrize("friction", [0.01, 0.05])
 def test_mean_loss_is_friction_times_gear_loss_factor(
