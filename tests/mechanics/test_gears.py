@@ -330,3 +330,19 @@ def test_another_law_is_asked_at_the_sliding_speed(place: float) -> None:
         expected = at_place(same, place, sense, 1.5)
         assert found.torque_factor == pytest.approx(expected.torque_factor, rel=1e-12)
         assert found.input_arm == pytest.approx(expected.input_arm, rel=1e-12)
+
+
+@pytest.mark.parametrize("sense", ["driving", "back_driving"])
+@pytest.mark.parametrize("friction", [0.05, 0.5, 1.45])
+def test_the_mean_of_one_pair_in_closed_form(sense: Sense, friction: float) -> None:
+    """With one pair always in contact, moments are linear on either side of the pitch point."""
+    length = 0.05
+    mesh = replace(points(friction=friction), approach=length, recess=length, base_pitch=0.1)
+    radius, tangent = mesh.base_radii[0], 0.3 * math.sin(mesh.pressure_angle)
+    total = 0.0
+    for side in (-1.0, 1.0):
+        g = friction * side * (1.0 if sense == "driving" else -1.0)
+        # Integrated over s: (here + g s) / (here - g s) = -1 + 2 here / (here - g s).
+        here = radius + g * tangent
+        total += -0.5 - 2.0 * here / g * math.log((here - g * side * length) / here) * side / 0.1
+    assert mean_torque_factor(mesh, sense, math.nan) == pytest.approx(total, rel=1e-12)
