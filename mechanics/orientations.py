@@ -2,17 +2,22 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Bytes
+from mechanics.arrays import Booleans, Bytes, Floats
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
+from mechanics.kernels.all_round import Asked, try_all_round
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
-from mechanics.sweeps import Sweep
+from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
 from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, provable, ranks_of, scan
+
+FRAMES = 4096
+"""Orientations that one call of a kernel takes."""
 
 
 @dataclass(frozen=True)
@@ -63,45 +68,105 @@ def scan_orientations(
         which the conditions hold. [rad to the number of turns]
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
-    held = np.zeros(stop - start)
-    ranks = ranks_of(conditions)
-    dear = 1 + sum(len(c.legs) for c in conditions[: provable(mechanism, conditions, grid)])
-    for o in range(orientations.grid.size):
-        turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
-        if orientations.turn is None:
-            among = None if measured else _open(codes, dear, every)
-            found = scan(mechanism, conditions, turned, {}, start, stop, among=among)
-            fresh = np.repeat(found.codes, found.lengths)
-            sizes = (fresh == INSIDE).astype(np.float64)
-        else:
-            fresh = np.full(codes.size, INSIDE if every else UNSEEN, np.uint8)
-            sizes = np.zeros(codes.size)
-            asked = np.flatnonzero(_undecided(codes, every, measured))
-            sweep = Sweep(mechanism, conditions, turned, orientations.turn, every, measured)
-            fresh[asked], sizes[asked] = sweep.verdicts(start + asked)
-        if every:
-            at_every(fresh, sizes, codes, held)
-        else:
-            at_some(fresh, sizes, ranks, codes, held)
+    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, np.zeros(codes.size))
+    turn = orientations.turn
+    if turn is not None and orientations.grid.axes and swept(conditions) == len(conditions):
+        tried.all_round(turn, orientations.grid)
+    else:
+        for o in range(orientations.grid.size):
+            turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
+            if turn is None:
+                tried.by_lines(turned)
+            else:
+                tried.by_arcs(turned, turn)
     values, lengths = line_runs(codes, start, grid.shape[-1])
     if not measured:
         return Scan(values, lengths, {})
     share = orientations.extent / orientations.grid.size
-    return Scan(values, lengths, {"free_orientation": held[codes == INSIDE] * share})
+    return Scan(values, lengths, {"free_orientation": tried.held[codes == INSIDE] * share})
 
 
-def _open(codes: Bytes, dear: int, every: bool) -> Booleans:
-    """Return for which nodes the conditions from code `dear` on can still change anything."""
-    if every:
-        undecided: Booleans = (codes == INSIDE) | (codes >= dear)
-        return undecided
-    missing: Booleans = codes != INSIDE
-    return missing
+@dataclass(frozen=True)
+class _Tried:
+    """What is asked of the flat nodes from `start` on, and what is known of them so far.
 
+    `codes`, and in how many orientations, or shares of their turns, all conditions held.
+    """
 
-def _undecided(codes: Bytes, every: bool, measured: bool) -> Booleans:
-    """Return which nodes another orientation can still change."""
-    # The first code cannot become an earlier one.
-    settled = codes == 1 if every else (codes == INSIDE) & (not measured)
-    open_: Booleans = ~settled
-    return open_
+    mechanism: Mechanism
+    conditions: Sequence[Condition]
+    grid: Grid
+    start: int
+    every: bool
+    measured: bool
+    codes: Bytes
+    held: Floats
+
+    @property
+    def _stop(self) -> int:
+        return self.start + self.codes.size
+
+    @cached_property
+    def _ranks(self) -> Floats:
+        return ranks_of(self.conditions)
+
+    def all_round(self, turn: Turn, orientations: Grid) -> None:
+        """Try all orientations of a grid, each with all angles of a turn, by closed forms."""
+        positions = turn.positions(self.grid.poses(self.start, self._stop))
+        ends = turn.low, turn.high
+        asked = Asked(
+            *tests_of(self.conditions),
+            self.mechanism.legs,
+            ends,
+            self.every,
+            self.measured,
+            self._ranks,
+        )
+        for first in range(0, orientations.size, FRAMES):
+            poses = orientations.poses(first, min(first + FRAMES, orientations.size))
+            try_all_round(asked, positions, turn.frames(poses), self.codes, self.held)
+
+    def by_lines(self, grid: Grid) -> None:
+        """Try the one orientation of a grid of the same positions, along its lines."""
+        among = None if self.measured else self._open
+        found = scan(self.mechanism, self.conditions, grid, {}, self.start, self._stop, among=among)
+        fresh = np.repeat(found.codes, found.lengths)
+        self._put(fresh, (fresh == INSIDE).astype(np.float64))
+
+    def by_arcs(self, grid: Grid, turn: Turn) -> None:
+        """Try the one orientation of a grid of the same positions, at all angles of a turn."""
+        fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
+        sizes = np.zeros(self.codes.size)
+        asked = np.flatnonzero(self._undecided)
+        sweep = Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
+        fresh[asked], sizes[asked] = sweep.verdicts(self.start + asked)
+        self._put(fresh, sizes)
+
+    def _put(self, fresh: Bytes, sizes: Floats) -> None:
+        if self.every:
+            at_every(fresh, sizes, self.codes, self.held)
+        else:
+            at_some(fresh, sizes, self._ranks, self.codes, self.held)
+
+    @property
+    def _open(self) -> Booleans:
+        """For which nodes the conditions that lines do not tell can still change anything."""
+        if self.every:
+            undecided: Booleans = (self.codes == INSIDE) | (self.codes >= self._untold)
+            return undecided
+        missing: Booleans = self.codes != INSIDE
+        return missing
+
+    @cached_property
+    def _untold(self) -> int:
+        """The first code of the conditions that lines do not tell."""
+        told = self.conditions[: provable(self.mechanism, self.conditions, self.grid)]
+        return 1 + sum(len(condition.legs) for condition in told)
+
+    @property
+    def _undecided(self) -> Booleans:
+        """Which nodes another orientation can still change."""
+        # The first code cannot become an earlier one.
+        settled = self.codes == 1 if self.every else (self.codes == INSIDE) & (not self.measured)
+        open_: Booleans = ~settled
+        return open_

@@ -58,7 +58,7 @@ def arcs_left(
     arcs : those on which all conditions hold together.
     """
     places = turn.places(poses)
-    return _arcs(mechanism, _tests(conditions), turn, places, every=every)
+    return _arcs(mechanism, tests_of(conditions), turn, places, every=every)
 
 
 def codes_at_some(
@@ -69,7 +69,7 @@ def codes_at_some(
     Every eighth pose is asked for its arcs, and the seven beside it for the middle of one; only
     those that do not hold there are asked for arcs of their own.
     """
-    places, tests = turn.places(poses), _tests(conditions)
+    places, tests = turn.places(poses), tests_of(conditions)
     few = slice(0, None, STRIDE)
     codes = np.full(poses.shape[1], INSIDE, np.uint8)
     codes[few], arcs = _arcs(mechanism, tests, turn, _chosen(places, few))
@@ -105,7 +105,7 @@ def _chosen(places: Places, chosen: slice | Integers) -> Places:
     return positions, rotations, axes
 
 
-def _tests(conditions: Sequence[Condition]) -> Tests:
+def tests_of(conditions: Sequence[Condition]) -> Tests:
     """Return what kernels take of conditions: tests, legs, numbers of conditions; and bounds."""
     tests = [
         (test.test, leg, number, test.least, test.greatest)

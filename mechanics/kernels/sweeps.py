@@ -184,16 +184,16 @@ def _one_test(
     left = np.empty((2, starts.shape[0] + events.size))
     cells = np.empty((2, MOST_CELLS))
     d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-    banded = _by_band(test, drive, leg, d)
+    banded = by_band(test, drive, leg, d)
     for i in range(counts.size):
         if counts[i] == 0:
             continue
         if rotations.shape[1] > 1:
             d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-            banded = _by_band(test, drive, leg, d)
+            banded = by_band(test, drive, leg, d)
         here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
         if banded:
-            low, high = _band(test, drive, leg, here) if test != SPAN else asked_band
+            low, high = band(test, drive, leg, here) if test != SPAN else asked_band
             X = square(here)
             # Most poses are told without a trigonometric call, and without an array's.
             side = beside(X, low, high)
@@ -233,7 +233,7 @@ def _by_events(
     Between two events the verdict is the same, and the middle decides.
     """
     low, high = starts[0, i], stops[count - 1, i]
-    f = _discriminant(drive, leg, d)
+    f = discriminant(drive, leg, d)
     if test == REACH:
         met = ripple_roots(f, low, high, cells, events)
     else:
@@ -250,7 +250,7 @@ def _by_events(
 
 
 @inlined
-def _by_band(test: int, drive: int, leg: Numbers, d: Turning) -> bool:
+def by_band(test: int, drive: int, leg: Numbers, d: Turning) -> bool:
     """Return whether bounds on |d|^2 decide a test: not where a leg's axis is aslant of a turn."""
     if drive == STRUT or test == SPAN:
         return True
@@ -265,7 +265,7 @@ def _steady(leg: Numbers, d: Turning) -> bool:
 
 
 @inlined
-def _band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]:
+def band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]:
     """Return the least and the greatest |d|^2 at which a test holds. [m^2]"""
     r, L = leg.crank_length, leg.rod_length
     if test == LIMITS:
@@ -282,7 +282,7 @@ def _band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float
 
 
 @inlined
-def _discriminant(drive: int, leg: Numbers, d: Turning) -> Ripple:
+def discriminant(drive: int, leg: Numbers, d: Turning) -> Ripple:
     """Return what must not be below 0 if a crank's or a rail's equation is to be solvable."""
     r, L = leg.crank_length, leg.rod_length
     X, along = square(d), product(d, leg.axis)
@@ -356,19 +356,19 @@ def hold_at(
             continue
         leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
         d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        banded = _by_band(tests[k], drive, leg, d)
+        banded = by_band(tests[k], drive, leg, d)
         low, high = bounds[k, 0], bounds[k, 1]
         for angle in range(cosines.size):
             for i in range(angle * together, min((angle + 1) * together, holds.size)):
                 if rotations.shape[1] > 1:
                     d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-                    banded = _by_band(tests[k], drive, leg, d)
+                    banded = by_band(tests[k], drive, leg, d)
                 if not (banded and holds[i]):
                     holds[i] = False
                     continue
                 here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
                 if tests[k] != SPAN:
-                    low, high = _band(tests[k], drive, leg, here)
+                    low, high = band(tests[k], drive, leg, here)
                 X = square(here)
                 reached = X.m + X.c * cosines[angle] + X.s * sines[angle]
                 holds[i] = reached >= low and reached <= high
