@@ -3,13 +3,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Bytes, Floats
+from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
-from mechanics.kernels.all_round import Asked, try_all_round
+from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
 from mechanics.sweeps import Sweep, swept, tests_of
@@ -18,6 +19,8 @@ from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, provable, ranks
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""
+SAMPLED = (32, 512)
+"""Nodes and orientations that are tried to see what the rest will cost."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +44,64 @@ class Orientations:
         """The turns that the range is of."""
         last = () if self.turn is None else (self.turn.coordinate,)
         return (*(axis.coordinate for axis in self.grid.axes), *last)
+
+
+class Work(NamedTuple):
+    """What pairs of node and orientation cost: which share is weighed, and of which arcs are cut.
+
+    `kernels.all_round` says what that means.
+    """
+
+    weighed: float
+    cut: float
+
+
+def all_round(conditions: Sequence[Condition], orientations: Orientations) -> bool:
+    """Return whether many orientations are tried at once, each with all angles of a turn."""
+    closed = swept(conditions) == len(conditions)
+    return closed and orientations.turn is not None and bool(orientations.grid.axes)
+
+
+def sampled_work(
+    mechanism: Mechanism,
+    conditions: Sequence[Condition],
+    grid: Grid,
+    orientations: Orientations,
+    *,
+    every: bool,
+    measured: bool,
+) -> Work:
+    """Return what orientations that are tried at once will cost, from a few nodes of the grid."""
+    turn, turned = orientations.turn, orientations.grid
+    if turn is None:
+        return Work(1.0, 0.0)
+    nodes, tried = _spread(grid.size, SAMPLED[0]), _spread(turned.size, SAMPLED[1])
+    asked = _asked(mechanism, conditions, turn, every, measured)
+    weighed, cut = try_all_round(
+        asked,
+        turn.positions(grid.poses_at(nodes)),
+        turn.frames(turned.poses_at(tried)),
+        np.full(nodes.size, INSIDE if every else UNSEEN, np.uint8),
+        np.zeros(nodes.size),
+        1,
+    )
+    pairs = nodes.size * tried.size
+    return Work(weighed / pairs, cut / pairs)
+
+
+def _spread(size: int, most: int) -> Integers:
+    """Return at most so many of `size` flat nodes, the same every time."""
+    if size <= most:
+        return np.arange(size)
+    # Whatever is evenly spaced may fall in step with the grid's lines.
+    return np.random.default_rng(0).integers(0, size, most)
+
+
+def _asked(
+    mechanism: Mechanism, conditions: Sequence[Condition], turn: Turn, every: bool, measured: bool
+) -> Asked:
+    ends, ranks = (turn.low, turn.high), ranks_of(conditions)
+    return Asked(*tests_of(conditions), mechanism.legs, ends, every, measured, ranks)
 
 
 def scan_orientations(
@@ -70,7 +131,7 @@ def scan_orientations(
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
     tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, np.zeros(codes.size))
     turn = orientations.turn
-    if turn is not None and orientations.grid.axes and swept(conditions) == len(conditions):
+    if turn is not None and all_round(conditions, orientations):
         tried.all_round(turn, orientations.grid)
     else:
         for o in range(orientations.grid.size):
@@ -113,18 +174,10 @@ class _Tried:
     def all_round(self, turn: Turn, orientations: Grid) -> None:
         """Try all orientations of a grid, each with all angles of a turn, by closed forms."""
         positions = turn.positions(self.grid.poses(self.start, self._stop))
-        ends = turn.low, turn.high
-        asked = Asked(
-            *tests_of(self.conditions),
-            self.mechanism.legs,
-            ends,
-            self.every,
-            self.measured,
-            self._ranks,
-        )
+        asked = _asked(self.mechanism, self.conditions, turn, self.every, self.measured)
         for first in range(0, orientations.size, FRAMES):
             poses = orientations.poses(first, min(first + FRAMES, orientations.size))
-            try_all_round(asked, positions, turn.frames(poses), self.codes, self.held)
+            try_all_round(asked, positions, turn.frames(poses), self.codes, self.held, PAIRS)
 
     def by_lines(self, grid: Grid) -> None:
         """Try the one orientation of a grid of the same positions, along its lines."""

@@ -21,7 +21,7 @@ from mechanics.legs import Legs
 NODES = 512
 """Nodes weighed together: few enough for the first cache."""
 PAIRS = 256
-"""Pairs of node and orientation whose arcs are cut together."""
+"""Pairs of node and orientation whose arcs are cut together: enough to hide the cost of a call."""
 INSIDE = 0
 
 
@@ -59,8 +59,11 @@ def try_all_round(
     frames: tuple[Floats, Floats],
     codes: Bytes,
     held: Floats,
-) -> None:
+    together: int,
+) -> tuple[int, int]:
     """Put the verdicts of a block of orientations into the codes of nodes, and what is held.
+
+    Return how many pairs of node and orientation were weighed, and of how many arcs were cut.
 
     Parameters
     ----------
@@ -68,7 +71,9 @@ def try_all_round(
     frames : rotations and axes of the turn at each orientation while its angle is 0, shapes
         (9, orientations) and (3, orientations).
     codes, held : as `at_some` and `at_every` keep them, shape (nodes,).
+    together : how many pairs wait for each other's arcs, at most `PAIRS`.
     """
+    weighings = cuts = 0
     here, own = np.empty((3, NODES)), np.empty(NODES, np.int64)
     first, last = np.empty(NODES, np.int64), np.empty(NODES, np.int64)
     weighed = Weighed(first, last, np.empty(NODES, np.int64))
@@ -80,13 +85,16 @@ def try_all_round(
             if count == 0:
                 break
             _weigh(asked, frames, o, here, count, weighed)
+            weighings += count
             waiting = _choose(asked, weighed, own, o, count, codes, held, pairs, waiting)
-            if waiting >= PAIRS:
+            if waiting >= together:
                 _cut(asked, positions, frames, pairs, waiting, codes, held)
                 count = _gather_open(asked, positions, begin, stop, codes, here, own)
-                waiting = 0
+                cuts, waiting = cuts + waiting, 0
         if waiting > 0:
             _cut(asked, positions, frames, pairs, waiting, codes, held)
+            cuts += waiting
+    return weighings, cuts
 
 
 @kernel

@@ -7,8 +7,8 @@ from typing import Any, get_args
 import pytest
 
 import analyses
-from analyses.workspace import SECONDS_PER_LEG
 from analyses.workspace_bounds import EFFECTIVE_BOUNDS
+from analyses.workspace_price import SECONDS_PER_LEG
 from schemas.workspace import Reason, WorkspaceRequest
 
 BAR: dict[str, Any] = {
