@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechanics.arrays import Floats, Integers
+from mechanics.kernels.placing import move
 from mechanics.motions import Motion
 from mechanics.rotations import fixed_axis_angles
 
@@ -43,7 +44,7 @@ class Turn:
             Arrays, shapes (3, poses), (9, poses) row by row and (3, poses), the last two with
             one column if that stands for all. [m, -, -]
         """
-        positions = np.ascontiguousarray(self.motion.twists[:3] @ poses)
+        positions = move(self.motion.twists, np.ascontiguousarray(poses))
         if self.column is None:
             rotations = self.motion.place(poses)[1]
             return positions, rotations, np.ascontiguousarray(rotations[[2, 5, 8]])
