@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mechanics.arrays import Floats, Integers
+from mechanics.kernels.placing import move
 from mechanics.motions import Motion
 from mechanics.rotations import fixed_axis_angles
 
@@ -47,7 +48,8 @@ class Turn:
 
     def positions(self, poses: Floats) -> Floats:
         """Return where the reference point is, shape (3, poses). [m]"""
-        return np.ascontiguousarray(self.motion.twists[:3] @ poses)
+        positions: Floats = move(self.motion.twists, np.ascontiguousarray(poses))
+        return positions
 
     def frames(self, poses: Floats) -> tuple[Floats, Floats]:
         """Return the rotations and axes of `places`; a pose's do not depend on its company."""

@@ -10,11 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from mechanics.arrays import Bytes, Floats, Integers
+from mechanics.kernels.bands import NOTHING, by_band, turning
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers
 from mechanics.kernels.orientations import farther, sooner
 from mechanics.kernels.sides import write_sides
-from mechanics.kernels.sweeps import ARCS_PER_TEST, NOTHING, by_band, sweep, turning
+from mechanics.kernels.sweeps import ARCS_PER_TEST, sweep
 from mechanics.kernels.waves import TURN
 from mechanics.legs import Legs
 

@@ -10,21 +10,21 @@ from typing import NamedTuple
 
 from mechanics.arrays import Floats, Integers
 from mechanics.kernels.arcs import beside
-from mechanics.kernels.compiling import inlined, kernel
-from mechanics.kernels.legs import Numbers, Vector
-from mechanics.kernels.sweeps import (
+from mechanics.kernels.bands import (
     LIMITS,
     REACH,
     SPAN,
     Turning,
     band,
     by_band,
-    discriminant,
     dot,
     moved,
     product,
     square,
 )
+from mechanics.kernels.compiling import inlined, kernel
+from mechanics.kernels.legs import Numbers, Vector
+from mechanics.kernels.sweeps import discriminant
 from mechanics.kernels.waves import ROUNDING, Ripple, Wave
 from mechanics.legs import CRANK, RAIL, STRUT
 
