@@ -2,6 +2,11 @@
 
 from dataclasses import dataclass
 
+LEAST_TILES = 12
+"""Into so many tiles even a short request is cut: workers end together, and progress shows."""
+LEAST_SECONDS = 0.1
+"""Of a tile; less is not worth the way to a worker and back."""
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -12,7 +17,8 @@ class Plan:
 
 
 def cut(items: int, seconds_per_item: float, tile_seconds: float, line: int = 1) -> Plan:
-    """Return a plan whose tiles take about `tile_seconds`, whole lines where several fit."""
-    fitting = max(1, int(tile_seconds / seconds_per_item))
+    """Return a plan of tiles of about `tile_seconds` or less, of whole lines where several fit."""
+    shared = max(int(LEAST_SECONDS / seconds_per_item), -(-items // LEAST_TILES))
+    fitting = max(1, min(int(tile_seconds / seconds_per_item), shared))
     whole_lines = fitting - fitting % line if fitting >= line else fitting
     return Plan(items, min(whole_lines, items))

@@ -12,17 +12,16 @@ from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_home import component_code, home_errors, of_component
-from analyses.workspace_orientations import EVERY, tried, tries
+from analyses.workspace_orientations import EVERY, tried
+from analyses.workspace_price import seconds_per_node, seconds_per_tile
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import NO_LEG
-from mechanics.legs import STRUT
 from mechanics.mechanism import Mechanism
 from mechanics.orientations import scan_orientations
-from mechanics.sweeps import swept
 from mechanics.unions import union
-from mechanics.workspace import Scan, provable, reason_codes, scan
+from mechanics.workspace import Scan, reason_codes, scan
 from schemas.quantities import Model
 from schemas.workspace import (
     Bounds,
@@ -37,36 +36,6 @@ from schemas.workspace import (
 )
 
 COMPONENTS_LISTED = 100
-SECONDS_PER_NODE = 1.5e-7
-SECONDS_PER_LEG = {
-    "reach": 2e-8,
-    "actuator_limits": 6e-8,
-    "crank_rod_angle": 4e-8,
-    "rod_rod_angle": 8e-8,
-    "base_joint_angle": 1.3e-7,
-    "platform_joint_angle": 1e-7,
-    "rod_distance": 1.6e-7,
-    "effort": 1.2e-7,
-    "pressure_angle": 2.1e-7,
-    "determinant": 8e-8,
-    "condition_number": 3e-7,
-    "actuator_speed": 8e-8,
-}
-SECONDS_BY_LINES = 5e-9
-"""Of a leg's condition that is decided along whole lines."""
-SECONDS_ALL_ROUND = 6e-8
-"""Of a leg's condition that is decided at all angles of a turn at once."""
-SECONDS_ASLANT = 2.5e-6
-"""The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
-SECONDS_PER_ORIENTATION = 3e-4
-"""Of each orientation tried, for every stretch of nodes."""
-FIELD_WORK = {
-    "effort": "effort",
-    "effort_max": "effort",
-    "condition_number": "condition_number",
-    "pressure_angle": "pressure_angle",
-}
-"""The condition whose work a field asks for too."""
 FIELD_PREFIX = "field_"
 
 
@@ -93,21 +62,11 @@ class Workspace(Analysis[WorkspaceRequest]):
 
     def seconds_per_item(self, request: WorkspaceRequest) -> float:
         """Return the cost of a node that meets every condition. [s]"""
-        setup = set_up(request)
-        decided, price = _decided_cheaply(setup)
-        checked = [condition.reason for condition in setup.conditions[decided:]]
-        # What a block keeps for its condition and its field alike is computed once.
-        kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
-        names = checked + [name for name in kept if name == "effort" or name not in checked]
-        per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
-        once = SECONDS_PER_NODE if names or setup.fields else 0.0
-        many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-        return (once + setup.mechanism.leg_count * per_leg) * many
+        return seconds_per_node(request, set_up(request))
 
     def plan(self, request: WorkspaceRequest, tile_seconds: float) -> Plan:
         """Return how the grid is cut, so that what each orientation costs once stays a share."""
-        orientations = set_up(request).orientations
-        once = 0.0 if orientations is None else orientations.grid.size * SECONDS_PER_ORIENTATION
+        once = seconds_per_tile(set_up(request))
         return super().plan(request, max(tile_seconds, 3.0 * once))
 
     def seconds(self, request: WorkspaceRequest) -> float:
@@ -154,17 +113,6 @@ class Workspace(Analysis[WorkspaceRequest]):
             | _extent(setup, region)
             | geometric_extent(request, setup),
         )
-
-
-def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
-    """Return how many leading conditions are decided for many nodes at once, at what price. [s]"""
-    orientations = setup.orientations
-    if orientations is not None and orientations.turn is not None:
-        decided = swept(setup.conditions)
-        driven = bool(np.any(setup.mechanism.legs.drive != STRUT))
-        aslant = driven and (setup.mechanism.motion.name != "planar" or decided > 1)
-        return decided, SECONDS_ASLANT if aslant else SECONDS_ALL_ROUND
-    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
 
 
 def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -> Scan:

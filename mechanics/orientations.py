@@ -2,17 +2,25 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Bytes
+from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
+from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
-from mechanics.sweeps import Sweep
+from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
 from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, provable, ranks_of, scan
+
+FRAMES = 4096
+"""Orientations that one call of a kernel takes."""
+SAMPLED = (32, 512)
+"""Nodes and orientations that are tried to see what the rest will cost."""
 
 
 @dataclass(frozen=True)
@@ -36,6 +44,64 @@ class Orientations:
         """The turns that the range is of."""
         last = () if self.turn is None else (self.turn.coordinate,)
         return (*(axis.coordinate for axis in self.grid.axes), *last)
+
+
+class Work(NamedTuple):
+    """What pairs of node and orientation cost: which share is weighed, and of which arcs are cut.
+
+    `kernels.all_round` says what that means.
+    """
+
+    weighed: float
+    cut: float
+
+
+def all_round(conditions: Sequence[Condition], orientations: Orientations) -> bool:
+    """Return whether many orientations are tried at once, each with all angles of a turn."""
+    closed = swept(conditions) == len(conditions)
+    return closed and orientations.turn is not None and bool(orientations.grid.axes)
+
+
+def sampled_work(
+    mechanism: Mechanism,
+    conditions: Sequence[Condition],
+    grid: Grid,
+    orientations: Orientations,
+    *,
+    every: bool,
+    measured: bool,
+) -> Work:
+    """Return what orientations that are tried at once will cost, from a few nodes of the grid."""
+    turn, turned = orientations.turn, orientations.grid
+    if turn is None:
+        return Work(1.0, 0.0)
+    nodes, tried = _spread(grid.size, SAMPLED[0]), _spread(turned.size, SAMPLED[1])
+    asked = _asked(mechanism, conditions, turn, every, measured)
+    weighed, cut = try_all_round(
+        asked,
+        turn.positions(grid.poses_at(nodes)),
+        turn.frames(turned.poses_at(tried)),
+        np.full(nodes.size, INSIDE if every else UNSEEN, np.uint8),
+        np.zeros(nodes.size),
+        1,
+    )
+    pairs = nodes.size * tried.size
+    return Work(weighed / pairs, cut / pairs)
+
+
+def _spread(size: int, most: int) -> Integers:
+    """Return at most so many of `size` flat nodes, the same every time."""
+    if size <= most:
+        return np.arange(size)
+    # Whatever is evenly spaced may fall in step with the grid's lines.
+    return np.random.default_rng(0).integers(0, size, most)
+
+
+def _asked(
+    mechanism: Mechanism, conditions: Sequence[Condition], turn: Turn, every: bool, measured: bool
+) -> Asked:
+    ends, ranks = (turn.low, turn.high), ranks_of(conditions)
+    return Asked(*tests_of(conditions), mechanism.legs, ends, every, measured, ranks)
 
 
 def scan_orientations(
@@ -63,45 +129,97 @@ def scan_orientations(
         which the conditions hold. [rad to the number of turns]
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
-    held = np.zeros(stop - start)
-    ranks = ranks_of(conditions)
-    dear = 1 + sum(len(c.legs) for c in conditions[: provable(mechanism, conditions, grid)])
-    for o in range(orientations.grid.size):
-        turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
-        if orientations.turn is None:
-            among = None if measured else _open(codes, dear, every)
-            found = scan(mechanism, conditions, turned, {}, start, stop, among=among)
-            fresh = np.repeat(found.codes, found.lengths)
-            sizes = (fresh == INSIDE).astype(np.float64)
-        else:
-            fresh = np.full(codes.size, INSIDE if every else UNSEEN, np.uint8)
-            sizes = np.zeros(codes.size)
-            asked = np.flatnonzero(_undecided(codes, every, measured))
-            sweep = Sweep(mechanism, conditions, turned, orientations.turn, every, measured)
-            fresh[asked], sizes[asked] = sweep.verdicts(start + asked)
-        if every:
-            at_every(fresh, sizes, codes, held)
-        else:
-            at_some(fresh, sizes, ranks, codes, held)
+    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, np.zeros(codes.size))
+    turn = orientations.turn
+    if turn is not None and all_round(conditions, orientations):
+        tried.all_round(turn, orientations.grid)
+    else:
+        for o in range(orientations.grid.size):
+            turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
+            if turn is None:
+                tried.by_lines(turned)
+            else:
+                tried.by_arcs(turned, turn)
     values, lengths = line_runs(codes, start, grid.shape[-1])
     if not measured:
         return Scan(values, lengths, {})
     share = orientations.extent / orientations.grid.size
-    return Scan(values, lengths, {"free_orientation": held[codes == INSIDE] * share})
+    return Scan(values, lengths, {"free_orientation": tried.held[codes == INSIDE] * share})
 
 
-def _open(codes: Bytes, dear: int, every: bool) -> Booleans:
-    """Return for which nodes the conditions from code `dear` on can still change anything."""
-    if every:
-        undecided: Booleans = (codes == INSIDE) | (codes >= dear)
-        return undecided
-    missing: Booleans = codes != INSIDE
-    return missing
+@dataclass(frozen=True)
+class _Tried:
+    """What is asked of the flat nodes from `start` on, and what is known of them so far.
 
+    `codes`, and in how many orientations, or shares of their turns, all conditions held.
+    """
 
-def _undecided(codes: Bytes, every: bool, measured: bool) -> Booleans:
-    """Return which nodes another orientation can still change."""
-    # The first code cannot become an earlier one.
-    settled = codes == 1 if every else (codes == INSIDE) & (not measured)
-    open_: Booleans = ~settled
-    return open_
+    mechanism: Mechanism
+    conditions: Sequence[Condition]
+    grid: Grid
+    start: int
+    every: bool
+    measured: bool
+    codes: Bytes
+    held: Floats
+
+    @property
+    def _stop(self) -> int:
+        return self.start + self.codes.size
+
+    @cached_property
+    def _ranks(self) -> Floats:
+        return ranks_of(self.conditions)
+
+    def all_round(self, turn: Turn, orientations: Grid) -> None:
+        """Try all orientations of a grid, each with all angles of a turn, by closed forms."""
+        positions = turn.positions(self.grid.poses(self.start, self._stop))
+        asked = _asked(self.mechanism, self.conditions, turn, self.every, self.measured)
+        for first in range(0, orientations.size, FRAMES):
+            poses = orientations.poses(first, min(first + FRAMES, orientations.size))
+            try_all_round(asked, positions, turn.frames(poses), self.codes, self.held, PAIRS)
+
+    def by_lines(self, grid: Grid) -> None:
+        """Try the one orientation of a grid of the same positions, along its lines."""
+        among = None if self.measured else self._open
+        found = scan(self.mechanism, self.conditions, grid, {}, self.start, self._stop, among=among)
+        fresh = np.repeat(found.codes, found.lengths)
+        self._put(fresh, (fresh == INSIDE).astype(np.float64))
+
+    def by_arcs(self, grid: Grid, turn: Turn) -> None:
+        """Try the one orientation of a grid of the same positions, at all angles of a turn."""
+        fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
+        sizes = np.zeros(self.codes.size)
+        asked = np.flatnonzero(self._undecided)
+        sweep = Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
+        fresh[asked], sizes[asked] = sweep.verdicts(self.start + asked)
+        self._put(fresh, sizes)
+
+    def _put(self, fresh: Bytes, sizes: Floats) -> None:
+        if self.every:
+            at_every(fresh, sizes, self.codes, self.held)
+        else:
+            at_some(fresh, sizes, self._ranks, self.codes, self.held)
+
+    @property
+    def _open(self) -> Booleans:
+        """For which nodes the conditions that lines do not tell can still change anything."""
+        if self.every:
+            undecided: Booleans = (self.codes == INSIDE) | (self.codes >= self._untold)
+            return undecided
+        missing: Booleans = self.codes != INSIDE
+        return missing
+
+    @cached_property
+    def _untold(self) -> int:
+        """The first code of the conditions that lines do not tell."""
+        told = self.conditions[: provable(self.mechanism, self.conditions, self.grid)]
+        return 1 + sum(len(condition.legs) for condition in told)
+
+    @property
+    def _undecided(self) -> Booleans:
+        """Which nodes another orientation can still change."""
+        # The first code cannot become an earlier one.
+        settled = self.codes == 1 if self.every else (self.codes == INSIDE) & (not self.measured)
+        open_: Booleans = ~settled
+        return open_

@@ -12,7 +12,8 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.grid import Grid
-from mechanics.kernels.sweeps import ARCS_PER_TEST, hold_at, sweep
+from mechanics.kernels.bands import hold_at
+from mechanics.kernels.sweeps import ARCS_PER_TEST, sweep
 from mechanics.mechanism import Mechanism
 from mechanics.turns import Turn
 from mechanics.workspace import BLOCK, INSIDE
@@ -58,7 +59,7 @@ def arcs_left(
     arcs : those on which all conditions hold together.
     """
     places = turn.places(poses)
-    return _arcs(mechanism, _tests(conditions), turn, places, every=every)
+    return _arcs(mechanism, tests_of(conditions), turn, places, every=every)
 
 
 def codes_at_some(
@@ -69,17 +70,17 @@ def codes_at_some(
     Every eighth pose is asked for its arcs, and the seven beside it for the middle of one; only
     those that do not hold there are asked for arcs of their own.
     """
-    places, tests = turn.places(poses), _tests(conditions)
+    places, tests = turn.places(poses), tests_of(conditions)
     few = slice(0, None, STRIDE)
     codes = np.full(poses.shape[1], INSIDE, np.uint8)
-    codes[few], arcs = _arcs(mechanism, tests, turn, _chosen(places, few))
-    middles = np.full(codes[few].size, np.nan)
-    middles[arcs.owners] = 0.5 * (arcs.starts + arcs.stops)
+    codes[few], counts, starts, stops = _swept(mechanism, tests, turn, _chosen(places, few))
+    middles = np.where(counts > 0, 0.5 * (starts[0] + stops[0]), np.nan)
+    cosines, sines = (np.repeat(f(middles), STRIDE)[: codes.size] for f in (np.cos, np.sin))
     holds = np.empty(codes.size, np.bool_)
-    hold_at(*tests, mechanism.legs, places, np.cos(middles), np.sin(middles), STRIDE, holds)
+    hold_at(*tests, mechanism.legs, places, cosines, sines, holds)
     holds[few] = True
     rest = np.flatnonzero(~holds)
-    codes[rest] = _arcs(mechanism, tests, turn, _chosen(places, rest))[0]
+    codes[rest] = _swept(mechanism, tests, turn, _chosen(places, rest))[0]
     return codes
 
 
@@ -87,14 +88,22 @@ def _arcs(
     mechanism: Mechanism, tests: Tests, turn: Turn, places: Places, *, every: bool = False
 ) -> tuple[Bytes, Arcs]:
     """Return what `arcs_left` does, of places."""
+    codes, counts, starts, stops = _swept(mechanism, tests, turn, places, every=every)
+    owners = np.repeat(np.arange(codes.size), counts)
+    numbers = np.arange(owners.size) - np.repeat(np.cumsum(counts) - counts, counts)
+    return codes, Arcs(owners, starts[numbers, owners], stops[numbers, owners])
+
+
+def _swept(
+    mechanism: Mechanism, tests: Tests, turn: Turn, places: Places, *, every: bool = False
+) -> tuple[Bytes, Integers, Floats, Floats]:
+    """Return codes, numbers of arcs, and where these start and stop, shape (arcs, poses) each."""
     count, most = places[0].shape[1], 1 + ARCS_PER_TEST * len(tests[1])
     codes, counts = np.empty(count, np.uint8), np.empty(count, np.int64)
     starts, stops = np.empty((most, count)), np.empty((most, count))
     ends = turn.low, turn.high
     sweep(*tests, mechanism.legs, places, ends, every, codes, counts, starts, stops)
-    owners = np.repeat(np.arange(count), counts)
-    numbers = np.arange(owners.size) - np.repeat(np.cumsum(counts) - counts, counts)
-    return codes, Arcs(owners, starts[numbers, owners], stops[numbers, owners])
+    return codes, counts, starts, stops
 
 
 def _chosen(places: Places, chosen: slice | Integers) -> Places:
@@ -105,7 +114,7 @@ def _chosen(places: Places, chosen: slice | Integers) -> Places:
     return positions, rotations, axes
 
 
-def _tests(conditions: Sequence[Condition]) -> Tests:
+def tests_of(conditions: Sequence[Condition]) -> Tests:
     """Return what kernels take of conditions: tests, legs, numbers of conditions; and bounds."""
     tests = [
         (test.test, leg, number, test.least, test.greatest)

@@ -24,6 +24,9 @@ LINES = 1 << 18
 FINEST = 1e-5
 """Lines with a step below this share of the greatest length are left to single nodes."""
 
+NEAR = 1e-7
+"""Nodes nearer to a root than this share of the greatest length decide for themselves."""
+
 INSIDE = 0
 """The code of a node at which every condition holds."""
 
@@ -141,15 +144,13 @@ def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) 
 def _size(mechanism: Mechanism, grid: Grid) -> float:
     """Return the size of the greatest length that the leg equations meet. [m]"""
     legs = mechanism.legs
-    limits = np.concatenate([legs.lower_limit, legs.upper_limit])
-    lengths = [legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length, grid.fixed]
-    reached = [max(abs(axis.minimum), abs(axis.maximum)) for axis in grid.axes]
-    return float(
-        max(
-            np.max(np.abs(values), initial=0.0)
-            for values in (*lengths, limits[np.isfinite(limits)], reached)
-        )
-    )
+    ends = np.array([(axis.minimum, axis.maximum) for axis in grid.axes])
+    lengths: list[Floats] = [
+        *(legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length),
+        *(legs.lower_limit, legs.upper_limit, grid.fixed, ends),
+    ]
+    met = np.concatenate([values.ravel() for values in lengths])
+    return float(np.max(np.abs(met[np.isfinite(met)]), initial=0.0))
 
 
 def _walk(
@@ -158,13 +159,14 @@ def _walk(
     """Return the runs of whole lines under conditions that are decided along them."""
     tests = _tests(conditions)
     line = grid.shape[-1]
-    stretch = LINES * line
+    stretch, near = LINES * line, NEAR * _size(mechanism, grid)
     parts = [
         walk(
             tests,
             mechanism.legs,
             mechanism.motion.kernel,
             grid.kernel,
+            near,
             first,
             min(first - first % line + stretch, stop),
         )

@@ -6,7 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
-from mechanics.kernels import sweeps
+from mechanics.kernels import bands
 from mechanics.kernels.line_ends import LIMITS, NOTHING
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
@@ -32,7 +32,7 @@ class ActuatorLimits(Condition):
         if not self._turned.any():
             self.line_tests = tuple(NOTHING if crank else LIMITS for crank in turning[:, 0])
         self.turn_tests = tuple(
-            TurnTest(sweeps.NOTHING if free else sweeps.LIMITS) for free in self._free[:, 0]
+            TurnTest(bands.NOTHING if free else bands.LIMITS) for free in self._free[:, 0]
         )
         ends = np.where(self._turned, [self._lower, self._upper], 0.0)
         self._middle = 0.5 * (ends[0] + ends[1])

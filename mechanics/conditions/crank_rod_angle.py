@@ -6,7 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
-from mechanics.kernels import sweeps
+from mechanics.kernels import bands
 from mechanics.legs import ARC_JOINTS, CRANK
 from mechanics.mechanism import Mechanism
 
@@ -45,7 +45,7 @@ class CrankRodAngle(Condition):
         # What no elbow can pass is left out: rounding has no say in it.
         least = square(self._lower) if self._lower > 0.0 else -np.inf
         greatest = square(self._upper) if self._upper < np.pi else np.inf
-        return TurnTest(sweeps.SPAN, least, greatest)
+        return TurnTest(bands.SPAN, least, greatest)
 
     def _angles(self, block: Configuration) -> Floats:
         # By the law of cosines in the triangle A, B, c: the same in both working modes.

@@ -5,7 +5,7 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
-from mechanics.kernels import sweeps
+from mechanics.kernels import bands
 from mechanics.kernels.line_ends import REACH
 from mechanics.mechanism import Mechanism
 
@@ -18,7 +18,7 @@ class Reach(Condition):
     def __init__(self, mechanism: Mechanism) -> None:
         self.legs = tuple(range(mechanism.leg_count))
         self.line_tests = (REACH,) * mechanism.leg_count
-        self.turn_tests = (TurnTest(sweeps.REACH),) * mechanism.leg_count
+        self.turn_tests = (TurnTest(bands.REACH),) * mechanism.leg_count
 
     def check(self, block: Configuration) -> Floats:
         """Return the margins of the leg equations. [m^2]"""

@@ -18,8 +18,10 @@ LIMITS = 1
 NOTHING = 2
 """A test that every leg passes."""
 
-BLUR = 1e-9
+BLUR = 1e-7
 """A root of less than this share of its terms may be there or not."""
+LEAN = 1e-6
+"""The square of the sine to a line below which a rail that is not parallel is left to nodes."""
 SAME = 1e-10
 """Both solutions of a rail closer than this share of its lengths may be one."""
 STRAIGHT = 1e-16
@@ -28,31 +30,36 @@ STRAIGHT = 1e-16
 FIRST, STOP, HOLE, HOLE_STOP = 0, 1, 2, 3
 """Rows of where a test begins to hold, ends, and between them does not."""
 
-ABREAST = 64
+ABREAST = 128
 """Lines looked at together: few enough for the first cache."""
 
 
 class Line(NamedTuple):
-    """The nodes of a line: the coordinate j that changes, t = minimum + node step. [m]"""
+    """The nodes of a line: the coordinate j that changes, t = minimum + node step. [m]
+
+    Nearer than `near` steps to an end a node decides for itself.
+    """
 
     j: int
     nodes: int
     minimum: float
     step: float
+    near: float
 
 
 class Part(NamedTuple):
-    """One leg held to one test."""
+    """One leg held to one test, and the code of who fails."""
 
     test: int
     drive: int
     leg: Numbers
+    code: int
 
 
 @inlined
 def write_ends(part: Part, line: Line, spans: Floats, ends: Floats) -> int:
     """Write where stretch and hole of each line end, in steps; return 1 + 2: both are there."""
-    test, drive, leg = part
+    test, drive, leg, _ = part
     j, share = line.j, 1.0 / line.step
     if test == REACH:
         if drive == CRANK:
@@ -136,6 +143,7 @@ def _stop_ends(
     u, v = (j + 1) % 3, (j + 2) % 3
     a, b, c = s[j], s[u], s[v]
     flat, same = b * b + c * c, SAME * (L + abs(stop))
+    steep = 1.0 / flat
     for i in range(ABREAST):
         e, f, g = spans[j, i] - stop * a, spans[u, i] - stop * b, spans[v, i] - stop * c
         across = f * f + g * g
@@ -144,13 +152,13 @@ def _stop_ends(
         # How far the middle of both solutions is beyond the stop: at the line's origin, at the
         # roots and, where there are none, at the node that the leg reaches first of all.
         along = e * a + f * b + g * c
-        top = mode * (along - a * (e - along * a) / flat)
+        top = mode * (along - a * (e - along * a) * steep)
         if square > 0.0:
             low = -math.inf if mode * (along + a * low) > same else low
             high = math.inf if mode * (along + a * high) > same else high
         elif flat > 0.0 and top > 0.0:
             low, high = -low, -high
-        if 0.0 < flat <= BLUR:
+        if 0.0 < flat <= LEAN:
             low = high = math.nan
         ends[row, i], ends[row + 1, i] = low * share, high * share
 
@@ -162,22 +170,30 @@ def _rail_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats) 
     u, v = (j + 1) % 3, (j + 2) % 3
     a, b, c = s[j], s[u], s[v]
     flat = b * b + c * c
+    steep = 1.0 / flat
+    if flat <= LEAN:
+        _parallel_rail_ends(leg, j, flat, spans, ends)
+        return 1
     for i in range(ABREAST):
         along = spans[j, i] * a + spans[u, i] * b + spans[v, i] * c
         w, f, g = spans[j, i] - along * a, spans[u, i] - along * b, spans[v, i] - along * c
         left = L * L - (w * w + f * f + g * g)
-        if flat == 0.0:
-            # Along the rail the distance stays.
-            low = -math.inf if left > 0.0 else math.inf
-            low = math.nan if abs(left) <= BLUR * L * L else low
-            high = -low
-        elif flat <= BLUR:
-            low = high = math.nan
-        else:
-            e = w / flat
-            low, high = _roots(e, e * e + left / flat, e * e + (L * L + abs(left)) / flat)
+        e = w * steep
+        low, high = _roots(e, e * e + left * steep, e * e + (L * L + abs(left)) * steep)
         ends[FIRST, i], ends[STOP, i] = low * share, high * share
     return 1
+
+
+@inlined
+def _parallel_rail_ends(leg: Numbers, j: int, flat: float, spans: Floats, ends: Floats) -> None:
+    """Write whether c is within a rod's length from a rail along which the distance stays."""
+    L = leg.rod_length
+    u, v = (j + 1) % 3, (j + 2) % 3
+    for i in range(ABREAST):
+        left = L * L - (spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i])
+        begin = -math.inf if left > 0.0 else math.inf
+        begin = math.nan if flat > 0.0 or abs(left) <= BLUR * L * L else begin
+        ends[FIRST, i], ends[STOP, i] = begin, -begin
 
 
 @inlined
@@ -195,8 +211,8 @@ def _crank_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats)
             left = L * L - height * height
             g = math.sqrt(left if left > 0.0 else 0.0)
             far, near = (r + g) ** 2, (r - g) ** 2
-            low, high = _roots(spans[j, i], far - across, far + across)
-            begin, end = _roots(spans[j, i], near - across, near + across)
+            low, high = _roots(spans[j, i], far - across, far + across + L * L)
+            begin, end = _roots(spans[j, i], near - across, near + across + L * L)
             if left <= 0.0:
                 low, high = math.inf, -math.inf
             if abs(left) <= BLUR * L * L:
@@ -204,8 +220,8 @@ def _crank_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats)
         else:
             radius = math.sqrt(spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i])
             near, far = (radius - r) ** 2, (radius + r) ** 2
-            low, high = _roots(spans[j, i], L * L - near, L * L + near)
-            begin, end = _roots(spans[j, i], L * L - far, L * L + far)
+            low, high = _roots(spans[j, i], L * L - near, L * L + near + r * r)
+            begin, end = _roots(spans[j, i], L * L - far, L * L + far + r * r)
         ends[FIRST, i], ends[STOP, i] = low * share, high * share
         ends[HOLE, i], ends[HOLE_STOP, i] = begin * share, end * share
     if abs(a) > STRAIGHT and b * b + c * c > STRAIGHT * STRAIGHT:

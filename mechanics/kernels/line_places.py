@@ -9,8 +9,8 @@ from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.line_ends import ABREAST
 from mechanics.kernels.placing import move_into, turn_into
 
-TOGETHER = 16 * ABREAST
-"""Lines whose ends are kept at once: enough to hide the cost of a call, few enough for a cache."""
+TOGETHER = 8 * ABREAST
+"""Lines placed at once: enough to hide the cost of a call."""
 
 
 class Places(NamedTuple):
@@ -59,14 +59,12 @@ def place_lines(
             poses[k, i] = minima[-1] if k == columns[-1] else fixed[k]
     repeat = 1
     for a in range(shape.size - 2, -1, -1):
-        k, index, i = columns[a], begin // repeat % shape[a], 0
-        until = repeat - begin % repeat
-        while i < TOGETHER:
-            value = minima[a] + index * steps[a]
-            for c in range(i, min(until, TOGETHER)):
-                poses[k, c] = value
-            i, until = until, until + repeat
-            index = index + 1 if index + 1 < shape[a] else 0
+        k, index, left = columns[a], begin // repeat % shape[a], repeat - begin % repeat
+        for i in range(TOGETHER):
+            poses[k, i] = minima[a] + index * steps[a]
+            left -= 1
+            if left == 0:
+                index, left = index + 1 if index + 1 < shape[a] else 0, repeat
         repeat *= shape[a]
     move_into(twists, poses, places.positions)
     if places.rotations.shape[1] > 1:

@@ -11,8 +11,8 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers, span
-from mechanics.kernels.line_cuts import cut, holds
-from mechanics.kernels.line_ends import FIRST, HOLE, HOLE_STOP, STOP, Line, Part
+from mechanics.kernels.line_cuts import Scratch, cut, holds
+from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, STOP, Line, Part
 from mechanics.kernels.line_places import TOGETHER, Places, place_lines, room_for_places
 from mechanics.legs import Legs
 
@@ -32,46 +32,60 @@ class Runs(NamedTuple):
     codes: Bytes
 
 
+class Stack(NamedTuple):
+    """The stretches of a line still to be told, the leftmost on top.
+
+    Parameters
+    ----------
+    ats : where each begins; at the bottom, where the line ends.
+    marks : the code of each if it is decided.
+    dues : the next test that each is held against.
+    """
+
+    ats: Floats
+    marks: Bytes
+    dues: Integers
+
+
 @kernel
 def walk(
     tests: Tests,
     legs: Legs,
     motion: tuple[Floats, int, Floats],
     grid: tuple[Floats, Floats, Integers, Integers, Floats],
+    near: float,
     start: int,
     stop: int,
 ) -> tuple[Bytes, Integers]:
     """Return codes and lengths of the runs of the flat nodes start..stop.
 
     A node's code is that of the first test that fails there, or 0. The last axis must be a
-    translation; `grid` is what `grid_poses` takes.
+    translation; `grid` is what `grid_poses` takes. Nodes within `near` of a root decide for
+    themselves. [m]
     """
     minima, steps, shape, columns, _ = grid
-    line = Line(columns[-1], shape[-1], minima[-1], steps[-1])
-    count = (stop - 1) // line.nodes - start // line.nodes + 1
-    runs = _room(4 * count + line.nodes)
+    nodes = shape[-1]
+    line = Line(columns[-1], nodes, minima[-1], steps[-1], near / steps[-1])
+    origin = start // nodes
+    behind = (stop - 1) // nodes + 1 if start < stop else origin
+    runs = _room(min(4 * (behind - origin) + ABREAST * nodes, stop - start))
     places = room_for_places(motion, grid)
-    cuts, asked = np.empty((tests.test.size, 4, TOGETHER)), np.empty(tests.test.size, np.int64)
+    # Numbers alone: an array handed on is counted, block by block.
+    parts = [_part(tests, legs, p) for p in range(tests.test.size)]
+    scratch = Scratch(np.empty((4, ABREAST)), np.empty((4, ABREAST)), np.empty((2, ABREAST)))
+    cuts, asked = np.empty((len(parts), 4, ABREAST)), np.empty(len(parts), np.int64)
+    stack = Stack(np.empty(nodes + 2), np.empty(nodes + 2, np.uint8), np.empty(nodes + 2, np.int64))
     written = 0
-    for begin in range(start // line.nodes, start // line.nodes + count, TOGETHER):
-        lines = min(TOGETHER, start // line.nodes + count - begin)
-        place_lines(motion, grid, begin, places)
-        used = _cut_all(tests, legs, line, places, lines, cuts, asked)
-        done = 0
-        while done < lines:
-            done, written = _write_runs(
-                tests,
-                legs,
-                line,
-                places,
-                cuts,
-                asked[:used],
-                (begin, done, lines, start, stop),
-                runs,
-                written,
-            )
-            if done < lines:
-                runs = _larger(runs, written)
+    for begin in range(origin, behind, ABREAST):
+        lines = min(ABREAST, behind - begin)
+        own = (begin - origin) % TOGETHER
+        if own == 0:
+            place_lines(motion, grid, begin, places)
+        used = _cut_all(parts, line, places, (own, lines), scratch, cuts, asked)
+        if min(written + lines * nodes, stop - start) > runs.codes.size:
+            runs = _larger(runs, written, stop - start)
+        at = begin, own, lines, start, stop
+        written = _write_runs(parts, line, places, cuts, asked, used, at, stack, runs, written)
     lengths = np.empty(written, np.int64)
     for run in range(written - 1):
         lengths[run] = runs.starts[run + 1] - runs.starts[run]
@@ -81,14 +95,21 @@ def walk(
 
 
 @inlined
+def _part(tests: Tests, legs: Legs, p: int) -> Part:
+    """Return one test with the numbers of its leg."""
+    k = tests.leg[p]
+    return Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p])
+
+
+@inlined
 def _room(size: int) -> Runs:
     return Runs(np.empty(size, np.int64), np.empty(size, np.uint8))
 
 
 @kernel
-def _larger(runs: Runs, written: int) -> Runs:
-    """Return the runs written so far with as much room again."""
-    larger = _room(2 * runs.codes.size)
+def _larger(runs: Runs, written: int, most: int) -> Runs:
+    """Return the runs written so far with as much room again, or for the most there can be."""
+    larger = _room(min(2 * runs.codes.size, most))
     larger.starts[:written] = runs.starts[:written]
     larger.codes[:written] = runs.codes[:written]
     return larger
@@ -96,94 +117,77 @@ def _larger(runs: Runs, written: int) -> Runs:
 
 @inlined
 def _cut_all(
-    tests: Tests,
-    legs: Legs,
+    parts: list[Part],
     line: Line,
     places: Places,
-    lines: int,
+    own: tuple[int, int],
+    scratch: Scratch,
     cuts: Floats,
     asked: Integers,
 ) -> int:
     """Write the cuts of the tests that some line may fail, and which these are; return how many."""
-    least, most = np.empty(TOGETHER), np.empty(TOGETHER)
-    for c in range(TOGETHER):
-        least[c], most[c] = 0.0, line.nodes if c < lines else 0.0
+    (begin, lines), bounds = own, scratch.bounds
+    for i in range(ABREAST):
+        bounds[0, i], bounds[1, i] = 0.0, line.nodes if i < lines else 0.0
     count = 0
-    for p in range(tests.test.size):
-        k = tests.leg[p]
-        part = Part(tests.test[p], legs.drive[k], numbers(legs, k))
-        if cut(part, line, places.positions, places.rotations, least, most, cuts[count]):
-            asked[count] = p
-            count += 1
+    for p in range(len(parts)):
+        alive = 0
+        for i in range(ABREAST):
+            alive += 1 if bounds[0, i] < bounds[1, i] else 0
+        if alive == 0:
+            break
+        asked[count] = p
+        count = cut(parts[p], line, places, begin, scratch, cuts, count)
     return count
 
 
-@kernel
+@inlined
 def _write_runs(  # noqa: C901, PLR0915  (arrays handed on are counted, stretch by stretch)
-    tests: Tests,
-    legs: Legs,
+    parts: list[Part],
     line: Line,
     places: Places,
     cuts: Floats,
     asked: Integers,
-    bounds: tuple[int, int, int, int, int],
+    size: int,
+    at: tuple[int, int, int, int, int],
+    stack: Stack,
     runs: Runs,
     written: int,
-) -> tuple[int, int]:
-    """Write the runs of lines; return up to which line there was room, and how many runs.
-
-    Of each line a stack of stretches is kept, the leftmost on top: where it begins, its code if
-    it is decided, and the next test that it is held against.
-    """
-    begin, done, lines, start, stop = bounds
+) -> int:
+    """Write the runs of lines; return how many runs there are."""
+    begin, own, lines, start, stop = at
     starts, codes = runs
+    ats, marks, dues = stack
     nodes = line.nodes
-    ats, marks = np.empty(nodes + 2), np.empty(nodes + 2, np.uint8)
-    dues = np.empty(nodes + 2, np.int64)
-    size = asked.size
-    failed = np.empty(size, np.uint8)
-    for p in range(size):
-        failed[p] = tests.code[asked[p]]
-    for c in range(done, lines):
-        if written + nodes > codes.size:
-            return c, written
+    for c in range(lines):
         first = (begin + c) * nodes
-        ats[0] = min(nodes, stop - first)
-        ats[1], marks[1], dues[1] = max(0, start - first), 0, 0
-        top, former = 1, -1
-        while top > 0:
-            a, b, mark, p = ats[top], ats[top - 1], marks[top], dues[top]
-            top -= 1
+        a, b = float(max(0, start - first)), float(min(nodes, stop - first))
+        mark, p, top, former = 0, 0, 0, -1
+        ats[0] = b
+        while True:
             while p < size and a < b:
                 begins, ends = cuts[p, FIRST, c], cuts[p, STOP, c]
                 hole, hole_ends = cuts[p, HOLE, c], cuts[p, HOLE_STOP, c]
-                code = failed[p]
+                part = parts[asked[p]]
+                code = part.code
                 p += 1
                 if np.isnan(begins) or np.isnan(hole):
-                    k = asked[p - 1]
-                    top = _by_nodes(
-                        tests.test[k],
-                        tests.leg[k],
-                        legs,
-                        line,
-                        places,
-                        c,
-                        (int(a), int(b)),
-                        (code, p, size, top),
-                        (ats, marks, dues),
-                    )
+                    stretch = own + c, int(a), int(b), p, size
+                    top = _by_nodes(part, stretch, line, places, stack, top)
                     b = a
                     break
-                if ends < b:
-                    b = max(a, ends)
-                    top += 1
-                    ats[top], marks[top], dues[top] = b, code, size
                 if a < begins:
                     if code != former:
                         starts[written], codes[written] = first + int(a), code
                         written += 1
                         former = code
                     a = begins
+                    if a >= b:
+                        break
+                if ends < b:
+                    b = max(a, ends)
+                    top += 1
+                    ats[top], marks[top], dues[top] = b, code, size
                 if hole < hole_ends and hole < b and a < hole_ends:
                     if hole_ends < b:
                         top += 1
@@ -195,36 +199,37 @@ def _write_runs(  # noqa: C901, PLR0915  (arrays handed on are counted, stretch 
                 starts[written], codes[written] = first + int(a), mark
                 written += 1
                 former = mark
-    return lines, written
+            if top == 0:
+                break
+            a, b, mark, p = ats[top], ats[top - 1], marks[top], dues[top]
+            top -= 1
+    return written
 
 
 @kernel
 def _by_nodes(
-    test: int,
-    k: int,
-    legs: Legs,
+    part: Part,
+    stretch: tuple[int, int, int, int, int],
     line: Line,
     places: Places,
-    c: int,
-    stretch: tuple[int, int],
-    coded: tuple[int, int, int, int],
-    stack: tuple[Floats, Bytes, Integers],
+    stack: Stack,
+    top: int,
 ) -> int:
     """Stack the stretches that the nodes of one decide, one by one; return the stack's top."""
-    code, due, size, top = coded
+    test, drive, leg, code = part
+    c, begin, end, due, size = stretch
     ats, marks, dues = stack
-    leg = numbers(legs, k)
     rho = arm(leg, places.rotations, c if places.rotations.shape[1] > 1 else 0)
     p = places.positions[0, c], places.positions[1, c], places.positions[2, c]
     former = -1
-    for node in range(stretch[1] - 1, stretch[0] - 1, -1):
+    for node in range(end - 1, begin - 1, -1):
         t = line.minimum + node * line.step
         at = (
             t if line.j == 0 else p[0],
             t if line.j == 1 else p[1],
             t if line.j == 2 else p[2],
         )
-        mark = 0 if holds(test, legs.drive[k], leg, span(leg, at, rho)) else code
+        mark = 0 if holds(test, drive, leg, span(leg, at, rho)) else code
         if mark != former:
             top += 1
             marks[top], dues[top] = mark, due if mark == 0 else size

@@ -5,16 +5,27 @@ sums it up.
 """
 
 from mechanics.arrays import Bytes, Floats
-from mechanics.kernels.compiling import kernel
+from mechanics.kernels.compiling import inlined, kernel
+
+
+@inlined
+def farther(code: int, former: int, ranks: Floats) -> bool:
+    """Return whether a code came farther than a former one, or as far and stands before it."""
+    return bool(ranks[code] > ranks[former] or (ranks[code] == ranks[former] and code < former))
+
+
+@inlined
+def sooner(code: int, former: int) -> bool:
+    """Return whether a code breaks, and before a former one does."""
+    return code != 0 and (former == 0 or code < former)
 
 
 @kernel
 def at_some(fresh: Bytes, sizes: Floats, ranks: Floats, codes: Bytes, held: Floats) -> None:
     """Keep, shape (nodes,), the code that came farthest, of equals the first; 0 came through."""
     for i in range(codes.size):
-        code, former = fresh[i], codes[i]
-        if ranks[code] > ranks[former] or (ranks[code] == ranks[former] and code < former):
-            codes[i] = code
+        if farther(fresh[i], codes[i], ranks):
+            codes[i] = fresh[i]
         held[i] += sizes[i]
 
 
@@ -22,6 +33,6 @@ def at_some(fresh: Bytes, sizes: Floats, ranks: Floats, codes: Bytes, held: Floa
 def at_every(fresh: Bytes, sizes: Floats, codes: Bytes, held: Floats) -> None:
     """Keep, shape (nodes,), the first code that any orientation breaks; 0 while none does."""
     for i in range(codes.size):
-        if fresh[i] != 0 and (codes[i] == 0 or fresh[i] < codes[i]):
+        if sooner(fresh[i], codes[i]):
             codes[i] = fresh[i]
         held[i] += sizes[i]

@@ -27,6 +27,14 @@ def move_into(twists: Floats, poses: Floats, positions: Floats) -> None:
                     positions[j, i] += share * poses[k, i]
 
 
+@kernel
+def move(twists: Floats, poses: Floats) -> Floats:
+    """Return positions, shape (3, poses)."""
+    positions = np.empty((3, poses.shape[1]))
+    move_into(twists, poses, positions)
+    return positions
+
+
 @inlined
 def turn_into(
     coordinates: int, turning: int, axis: Floats, poses: Floats, turns: Floats, rotations: Floats

@@ -1,19 +1,31 @@
 """All angles of one turn: on which arcs of it a leg passes a test, in closed form.
 
-While the platform turns about one axis, the span of a leg is d(t) = c0 + c1 cos t + c2 sin t with
-c1 and c2 perpendicular and of one length, so that |d|^2 and every product of d with a fixed vector
-are waves, m + c cos t + s sin t. A test that bounds |d|^2 holds on arcs whose ends are arc
-cosines; one that bounds a product of waves, on arcs between the roots of a wave of two harmonics;
-a drive meets its stops where one more wave vanishes.
+A test that bounds |d|^2, a wave (see `bands`), holds on arcs whose ends are arc cosines; one that
+bounds a product of waves, on arcs between the roots of a wave of two harmonics; a drive meets its
+stops where one more wave vanishes.
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.kernels.arcs import beside, between, changed, cut, keep
+from mechanics.kernels.bands import (
+    NOTHING,
+    REACH,
+    SPAN,
+    Turning,
+    at_angle,
+    band,
+    by_band,
+    dot,
+    find_lost,
+    moved,
+    product,
+    square,
+    turning,
+)
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import (
     Numbers,
@@ -24,7 +36,6 @@ from mechanics.kernels.legs import (
     crank_turn,
     numbers,
     rail_coordinate,
-    span,
 )
 from mechanics.kernels.waves import (
     MOST_CELLS,
@@ -37,78 +48,10 @@ from mechanics.kernels.waves import (
     squared,
     wave_roots,
 )
-from mechanics.legs import CRANK, RAIL, STRUT, Legs
+from mechanics.legs import CRANK, RAIL, Legs
 
-REACH, LIMITS, SPAN, NOTHING = 0, 1, 2, 3
-"""Tests: the leg's equation is solvable; its drive is within its stops; |d|^2 within given bounds;
-none at all."""
-
-LEAST_STRUT = 1e-14
-"""A strut has no direction where its square is below this share of its mean over the turn."""
-LEAST_SQUARE = 2.0**-1022
-"""A strut whose square is below this has no length. [m^2]"""
-STEADY = 1e-14
-"""A wave this small beside the product of its vectors does not change."""
 ARCS_PER_TEST = 4
 """How many arcs a test may add at most."""
-
-
-class Turning(NamedTuple):
-    """The span of a leg while the platform turns: d = still + swing cos t + cross sin t. [m]"""
-
-    still: Vector
-    swing: Vector
-    cross: Vector
-
-
-@inlined
-def dot(a: Vector, b: Vector) -> float:
-    """Return the product of two vectors."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@inlined
-def turning(leg: Numbers, rho: Vector, n: Vector) -> Turning:
-    """Return the span of a leg, whose arm at t = 0 is rho, of a platform at 0 turning about n."""
-    along = dot(rho, n)
-    axial = (along * n[0], along * n[1], along * n[2])
-    u = (rho[0] - axial[0], rho[1] - axial[1], rho[2] - axial[2])
-    v = (n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0])
-    return Turning(span(leg, (0.0, 0.0, 0.0), axial), u, v)
-
-
-@inlined
-def moved(d: Turning, p: Vector) -> Turning:
-    """Return the span of a leg of a platform at p."""
-    still = (d.still[0] + p[0], d.still[1] + p[1], d.still[2] + p[2])
-    return Turning(still, d.swing, d.cross)
-
-
-@inlined
-def at_angle(d: Turning, t: float) -> Vector:
-    """Return the span at an angle. [m]"""
-    c, s = math.cos(t), math.sin(t)
-    return (
-        d.still[0] + d.swing[0] * c + d.cross[0] * s,
-        d.still[1] + d.swing[1] * c + d.cross[1] * s,
-        d.still[2] + d.swing[2] * c + d.cross[2] * s,
-    )
-
-
-@inlined
-def product(d: Turning, v: Vector) -> Wave:
-    """Return the wave d.v of a fixed vector."""
-    c, s = dot(d.swing, v), dot(d.cross, v)
-    if abs(c) + abs(s) <= STEADY * math.sqrt(dot(d.swing, d.swing) * dot(v, v)):
-        return Wave(dot(d.still, v), 0.0, 0.0)
-    return Wave(dot(d.still, v), c, s)
-
-
-@inlined
-def square(d: Turning) -> Wave:
-    """Return the wave |d|^2. [m^2]"""
-    mean = dot(d.still, d.still) + dot(d.swing, d.swing)
-    return Wave(mean, 2.0 * dot(d.still, d.swing), 2.0 * dot(d.still, d.cross))
 
 
 @kernel
@@ -140,6 +83,11 @@ def sweep(
     """
     tests, own_legs, groups = asked
     first = np.zeros(codes.size, np.int64)
+    # Who is done with when anything of a whole turn is missing, whichever part of it.
+    done = np.zeros(codes.size, np.bool_)
+    if ends[1] - ends[0] >= TURN:
+        done[:] = every
+        find_lost(asked, bounds, legs, places, done)
     codes[:] = 0
     counts[:] = 1
     starts[0], stops[0] = ends
@@ -152,7 +100,6 @@ def sweep(
             # What an earlier condition took counts no more where this one finds something left.
             if codes[i] == 0 and first[i] > 0 and groups[first[i] - 1] < groups[k]:
                 first[i] = 0
-        done = every and ends[1] - ends[0] >= TURN
         _one_test(
             k + 1, tests[k], drive, leg, asked_band, done, places, first, counts, starts, stops
         )
@@ -168,7 +115,7 @@ def _one_test(
     drive: int,
     leg: Numbers,
     asked_band: tuple[float, float],
-    done: bool,
+    done: Booleans,
     places: tuple[Floats, Floats, Floats],
     first: Integers,
     counts: Integers,
@@ -177,30 +124,30 @@ def _one_test(
 ) -> None:
     """Leave of every pose's arcs those on which a test holds; `first` keeps who took anything.
 
-    With `done` a pose is done with when any of a whole turn is missing, whichever part of it.
+    Of a pose that is `done` with as soon as any is missing, no arcs are left then.
     """
     positions, rotations, axes = places
     events = np.empty(2 * ARCS_PER_TEST)
     left = np.empty((2, starts.shape[0] + events.size))
     cells = np.empty((2, MOST_CELLS))
     d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-    banded = _by_band(test, drive, leg, d)
+    banded = by_band(test, drive, leg, d)
     for i in range(counts.size):
         if counts[i] == 0:
             continue
         if rotations.shape[1] > 1:
             d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-            banded = _by_band(test, drive, leg, d)
+            banded = by_band(test, drive, leg, d)
         here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
         if banded:
-            low, high = _band(test, drive, leg, here) if test != SPAN else asked_band
+            low, high = band(test, drive, leg, here) if test != SPAN else asked_band
             X = square(here)
             # Most poses are told without a trigonometric call, and without an array's.
             side = beside(X, low, high)
             if side > 0:
                 continue
             count = 0
-            if side == 0 and not done:
+            if side == 0 and not done[i]:
                 count = between(X, low, high, i, counts[i], starts, stops, left)
         else:
             count = _by_events(
@@ -233,7 +180,7 @@ def _by_events(
     Between two events the verdict is the same, and the middle decides.
     """
     low, high = starts[0, i], stops[count - 1, i]
-    f = _discriminant(drive, leg, d)
+    f = discriminant(drive, leg, d)
     if test == REACH:
         met = ripple_roots(f, low, high, cells, events)
     else:
@@ -250,39 +197,7 @@ def _by_events(
 
 
 @inlined
-def _by_band(test: int, drive: int, leg: Numbers, d: Turning) -> bool:
-    """Return whether bounds on |d|^2 decide a test: not where a leg's axis is aslant of a turn."""
-    if drive == STRUT or test == SPAN:
-        return True
-    return test == REACH and _steady(leg, d)
-
-
-@inlined
-def _steady(leg: Numbers, d: Turning) -> bool:
-    """Return whether the span's share along the leg's axis stays the same."""
-    along = product(d, leg.axis)
-    return along.c == 0.0 and along.s == 0.0
-
-
-@inlined
-def _band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]:
-    """Return the least and the greatest |d|^2 at which a test holds. [m^2]"""
-    r, L = leg.crank_length, leg.rod_length
-    if test == LIMITS:
-        low, high = max(leg.lower_limit, 0.0), leg.upper_limit
-        return low * low, high * abs(high)
-    along = dot(d.still, leg.axis)
-    if drive == RAIL:
-        return 0.0, L * L + along * along
-    if drive == CRANK:
-        # Across the axis a circle of radius r about it must meet one of radius g about c.
-        g = math.sqrt((L - along) * (L + along)) if abs(along) <= L else math.nan
-        return along * along + (r - g) ** 2, along * along + (r + g) ** 2
-    return max(LEAST_STRUT * square(d).m, LEAST_SQUARE), math.inf
-
-
-@inlined
-def _discriminant(drive: int, leg: Numbers, d: Turning) -> Ripple:
+def discriminant(drive: int, leg: Numbers, d: Turning) -> Ripple:
     """Return what must not be below 0 if a crank's or a rail's equation is to be solvable."""
     r, L = leg.crank_length, leg.rod_length
     X, along = square(d), product(d, leg.axis)
@@ -331,44 +246,3 @@ def within_stops(drive: int, leg: Numbers, d: Vector) -> bool:
     middle = 0.5 * (leg.lower_limit + leg.upper_limit)
     angle += TURN * round((middle - angle) / TURN)
     return bool(angle >= leg.lower_limit and angle <= leg.upper_limit)
-
-
-@kernel
-def hold_at(
-    asked: tuple[Integers, Integers, Integers],
-    bounds: Floats,
-    legs: Legs,
-    places: tuple[Floats, Floats, Floats],
-    cosines: Floats,
-    sines: Floats,
-    together: int,
-    holds: Booleans,
-) -> None:
-    """Write whether all tests hold at an angle, one for `together` poses, by bounds on |d|^2.
-
-    Where tests of another kind are asked, they are said not to hold.
-    """
-    positions, rotations, axes = places
-    tests, own_legs, _ = asked
-    holds[:] = True
-    for k in range(tests.size):
-        if tests[k] == NOTHING:
-            continue
-        leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
-        d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        banded = _by_band(tests[k], drive, leg, d)
-        low, high = bounds[k, 0], bounds[k, 1]
-        for angle in range(cosines.size):
-            for i in range(angle * together, min((angle + 1) * together, holds.size)):
-                if rotations.shape[1] > 1:
-                    d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-                    banded = _by_band(tests[k], drive, leg, d)
-                if not (banded and holds[i]):
-                    holds[i] = False
-                    continue
-                here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
-                if tests[k] != SPAN:
-                    low, high = _band(tests[k], drive, leg, here)
-                X = square(here)
-                reached = X.m + X.c * cosines[angle] + X.s * sines[angle]
-                holds[i] = reached >= low and reached <= high

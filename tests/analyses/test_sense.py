@@ -8,8 +8,8 @@ import pytest
 
 import analyses
 from analyses.pictures import WorkspacePicture
-from analyses.workspace import SECONDS_PER_LEG
 from analyses.workspace_bounds import EFFECTIVE_BOUNDS
+from analyses.workspace_price import SECONDS_PER_LEG
 from schemas.workspace import Reason, WorkspaceRequest
 
 BAR: dict[str, Any] = {

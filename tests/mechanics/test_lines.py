@@ -262,3 +262,9 @@ def test_the_finest_lines_are_left_to_nodes() -> None:
     axis = Axis("z", 0.9, 0.900001, 1e-8)
     conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
     assert provable(mechanism, conditions, Grid((axis,), (2,), np.zeros(6))) == 0
+
+
+def test_no_nodes_make_no_runs() -> None:
+    mechanism = wired(DRAWS["delta_linear"](np.random.default_rng(0)).wire)
+    far = Grid(tuple(Axis(c, 90.0, 99.0, 1.0) for c in "xyz"), (0, 1, 2), np.zeros(3))
+    assert scan(mechanism, [Reach(mechanism)], far, {}, 7, 7).lengths.size == 0

@@ -1,0 +1,103 @@
+"""What a workspace costs: measured on one core of a common machine, condition by condition."""
+
+import numpy as np
+
+from analyses.workspace_orientations import EVERY, tries
+from analyses.workspace_setup import WorkspaceSetup
+from mechanics.legs import STRUT
+from mechanics.orientations import Orientations, all_round, sampled_work
+from mechanics.sweeps import swept
+from mechanics.workspace import provable
+from schemas.workspace import WorkspaceRequest
+
+SECONDS_PER_NODE = 1.5e-7
+SECONDS_PER_LEG = {
+    "reach": 2e-8,
+    "actuator_limits": 6e-8,
+    "crank_rod_angle": 4e-8,
+    "rod_rod_angle": 8e-8,
+    "base_joint_angle": 1.3e-7,
+    "platform_joint_angle": 1e-7,
+    "rod_distance": 1.6e-7,
+    "effort": 1.2e-7,
+    "pressure_angle": 2.1e-7,
+    "determinant": 8e-8,
+    "condition_number": 3e-7,
+    "actuator_speed": 8e-8,
+}
+SECONDS_BY_LINES = 5e-9
+"""Of a leg's condition that is decided along whole lines."""
+SECONDS_ALL_ROUND = 6e-8
+"""Of a leg's condition that is decided at all angles of a turn at once."""
+SECONDS_ASLANT = 2.5e-6
+"""The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
+SECONDS_WEIGHED = 2e-9
+"""Of a leg's condition at a node and one of many orientations, all angles of a turn included."""
+SECONDS_CUT, SECONDS_CUT_ASLANT = 6e-8, 5e-7
+"""The same where arcs are cut, and where some are cut by the roots of waves."""
+SECONDS_PER_ORIENTATION = 3e-4
+"""Of each orientation tried by itself, for every stretch of nodes."""
+FIELD_WORK = {
+    "effort": "effort",
+    "effort_max": "effort",
+    "condition_number": "condition_number",
+    "pressure_angle": "pressure_angle",
+}
+"""The condition whose work a field asks for too."""
+
+
+def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
+    """Return the cost of a node that meets every condition, at all its orientations. [s]"""
+    orientations = setup.orientations
+    if orientations is not None and all_round(setup.conditions, orientations):
+        return _seconds_all_round(request, setup, orientations)
+    decided, price = _decided_cheaply(setup)
+    checked = [condition.reason for condition in setup.conditions[decided:]]
+    # What a block keeps for its condition and its field alike is computed once.
+    kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
+    names = checked + [name for name in kept if name == "effort" or name not in checked]
+    per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
+    once = SECONDS_PER_NODE if names or setup.fields else 0.0
+    many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
+    return (once + setup.mechanism.leg_count * per_leg) * many
+
+
+def seconds_per_tile(setup: WorkspaceSetup) -> float:
+    """Return what the orientations that are tried one by one cost, however few the nodes. [s]"""
+    orientations = setup.orientations
+    if orientations is None or all_round(setup.conditions, orientations):
+        return 0.0
+    return orientations.grid.size * SECONDS_PER_ORIENTATION
+
+
+def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
+    """Return how many leading conditions are decided for many nodes at once, at what price. [s]"""
+    orientations = setup.orientations
+    if orientations is not None and orientations.turn is not None:
+        return swept(setup.conditions), SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
+    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
+
+
+def _aslant(setup: WorkspaceSetup) -> bool:
+    """Return whether some legs' arcs end at roots of waves."""
+    driven = bool(np.any(setup.mechanism.legs.drive != STRUT))
+    return driven and (setup.mechanism.motion.name != "planar" or swept(setup.conditions) > 1)
+
+
+def _seconds_all_round(
+    request: WorkspaceRequest, setup: WorkspaceSetup, orientations: Orientations
+) -> float:
+    """Return the cost of a node at many orientations that are tried at once. [s]"""
+    work = sampled_work(
+        setup.mechanism,
+        setup.conditions,
+        setup.grid,
+        orientations,
+        every=request.type in EVERY,
+        measured=bool(request.fields),
+    )
+    cut = SECONDS_CUT_ASLANT if _aslant(setup) else SECONDS_CUT
+    tests = sum(len(condition.legs) for condition in setup.conditions)
+    times = tests * orientations.grid.size * len(setup.mechanisms)
+    # Of nodes that the first orientations tell little but reading is left.
+    return times * (SECONDS_WEIGHED * max(work.weighed, 0.01) + cut * work.cut)

@@ -1,0 +1,96 @@
+"""Many orientations taken together, against each of them taken alone."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from mechanics.arrays import Bytes, Floats
+from mechanics.conditions.condition import Condition
+from mechanics.grid import Axis, Grid
+from mechanics.mechanism import Mechanism
+from mechanics.orientations import Orientations, scan_orientations
+from mechanics.workspace import Scan, ranks_of
+from tests.mechanics.test_sweeps import SPATIAL, conditions_of, limited, turned
+from tests.oracles.draws import DRAWS
+
+RANGES = [("rz", -math.pi, math.pi), ("rz", -0.4, 0.5), ("rx", 0.3, 0.3)]
+
+
+def positions_of(least: Floats, most: Floats) -> Grid:
+    """Return a grid wider than a box of positions, of more nodes than are weighed together."""
+    middle, wide = 0.5 * (least + most), 0.8 * (most - least)
+    axes = tuple(
+        Axis(name, m - w, m + w, 2.0 * w / (count - 0.5))
+        for name, m, w, count in zip("xyz", middle[:3], wide[:3], (7, 9, 11), strict=True)
+    )
+    return Grid(axes, (0, 1, 2), np.zeros(6))
+
+
+def around(mechanism: Mechanism, turn: tuple[str, float, float]) -> Orientations:
+    """Return orientations on either side of rest, about two axes, with all of a turn."""
+    own = turned(mechanism, *turn)
+    names = [name for name in mechanism.motion.turns if name != own.coordinate]
+    axes = tuple(Axis(name, -0.2, 0.2, 0.1) for name in names)
+    columns = tuple(mechanism.motion.coordinates.index(name) for name in names)
+    return Orientations(Grid(axes, columns, np.zeros(6)), own, 0.4**2 * (own.high - own.low))
+
+
+def dense(found: Scan) -> tuple[Bytes, Floats]:
+    codes = np.repeat(found.codes, found.lengths)
+    free = np.zeros(codes.size)
+    free[codes == 0] = found.fields.get("free_orientation", 0.0)
+    return codes, free
+
+
+def one_by_one(
+    mechanism: Mechanism,
+    conditions: list[Condition],
+    grid: Grid,
+    orientations: Orientations,
+    *,
+    every: bool,
+) -> tuple[Bytes, Floats]:
+    """Return codes, and free orientations, put together as their definition says."""
+    rows = []
+    for fixed in orientations.grid.poses(0, orientations.grid.size).T:
+        alone = replace(orientations, grid=Grid((), (), fixed))
+        turned = replace(grid, fixed=fixed)
+        found = scan_orientations(
+            mechanism, conditions, turned, alone, 0, grid.size, every=every, measured=True
+        )
+        rows.append(dense(found))
+    codes, free = (np.array(column) for column in zip(*rows, strict=True))
+    if every:
+        worst = np.where(codes == 0, 255, codes).min(axis=0)
+        return np.where(worst == 255, 0, worst).astype(np.uint8), free.mean(axis=0)
+    ranks = ranks_of(conditions)[codes]
+    farthest = np.where(ranks == ranks.max(axis=0), codes, 255).min(axis=0)
+    return farthest.astype(np.uint8), free.mean(axis=0)
+
+
+@pytest.mark.parametrize("every", [False, True])
+@pytest.mark.parametrize("turn", RANGES)
+@pytest.mark.parametrize("name", SPATIAL)
+def test_orientations_together_say_what_each_alone_says(
+    name: str, turn: tuple[str, float, float], every: bool
+) -> None:
+    random = np.random.default_rng(11)
+    draw = DRAWS[name](random)
+    poses = random.uniform(draw.least, draw.most, (200, draw.least.size)).T.copy()
+    mechanism = limited(draw, poses)
+    conditions = conditions_of(mechanism)
+    grid, orientations = positions_of(draw.least, draw.most), around(mechanism, turn)
+    expected, free = one_by_one(mechanism, conditions, grid, orientations, every=every)
+    for measured in (False, True):
+        found = scan_orientations(
+            mechanism, conditions, grid, orientations, 0, grid.size, every=every, measured=measured
+        )
+        codes, sizes = dense(found)
+        assert np.array_equal(codes, expected)
+        if measured:
+            inside = codes == 0
+            np.testing.assert_allclose(sizes[inside], free[inside], rtol=1e-13)
+    # A whole turn breaks the first stop nearly everywhere.
+    assert every or np.unique(expected).size > 1
