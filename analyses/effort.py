@@ -16,7 +16,6 @@ from analyses.poses import (
     obstacle_rows,
     obstacles,
     pose_conditions,
-    signs,
 )
 from analyses.units import effort_units
 from mechanics.arrays import Floats
@@ -60,11 +59,11 @@ class Effort(Analysis[EffortRequest]):
 
     def seconds_per_item(self, request: EffortRequest) -> float:
         """Return the cost of a pose. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count
+        return SECONDS_PER_LEG * _mechanism(request).drive_count
 
     def result_bytes(self, request: EffortRequest) -> int:
         """Return the size of efforts and worst loads in JSON. [B]"""
-        efforts = len(request.poses) * _mechanism(request).leg_count
+        efforts = len(request.poses) * _mechanism(request).drive_count
         numbers = 1 if request.load is None else NUMBERS_PER_EFFORT
         return efforts * numbers * BYTES_PER_NUMBER
 
@@ -100,7 +99,7 @@ class Effort(Analysis[EffortRequest]):
         }
         return EffortResult.model_construct(
             analysis=self.name,
-            working_mode=signs(mechanism.legs.working_mode),
+            working_mode=list(mechanism.working_mode),
             units=effort_units(mechanism),
             effort=nullable(arrays["effort"]),
             **worst,

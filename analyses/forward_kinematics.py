@@ -56,7 +56,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         mechanism = build(request.mechanism)
         rows = request.actuators
         for number, row in enumerate(rows):
-            _check_width(f"/actuators/{number}", row, mechanism.leg_count, "one per leg")
+            _check_width(f"/actuators/{number}", row, mechanism.drive_count, "one per drive")
         names = mechanism.motion.coordinates
         if _one_for_all(request):
             _check_width("/guess", _guesses(request)[0], len(names), ", ".join(names))
@@ -154,7 +154,7 @@ def _rows(rows: list[list[float]]) -> Floats:
 
 def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
     """Return what is known of modes, one row each, also where there are none."""
-    coordinates, legs = len(mechanism.motion.coordinates), mechanism.leg_count
+    coordinates, legs = len(mechanism.motion.coordinates), mechanism.drive_count
     return {
         "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
         "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, legs),

@@ -7,7 +7,7 @@ import numpy as np
 from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.mechanisms import build
-from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions
 from analyses.units import drive_units
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
@@ -38,11 +38,11 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
 
     def seconds_per_item(self, request: InverseKinematicsRequest) -> float:
         """Return the cost of a pose in all modes asked. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count * len(_modes(request))
+        return SECONDS_PER_LEG * _mechanism(request).drive_count * len(_modes(request))
 
     def result_bytes(self, request: InverseKinematicsRequest) -> int:
         """Return the size of the drive coordinates in JSON. [B]"""
-        numbers = len(request.poses) * _mechanism(request).leg_count * len(_modes(request))
+        numbers = len(request.poses) * _mechanism(request).drive_count * len(_modes(request))
         return numbers * BYTES_PER_NUMBER
 
     def compute(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
@@ -109,4 +109,4 @@ def _modes(request: InverseKinematicsRequest) -> list[list[int]]:
     mechanism = _mechanism(request)
     if request.working_mode == "all":
         return [list(mode) for mode in mechanism.working_modes]
-    return [signs(mechanism.legs.working_mode)]
+    return [list(mechanism.working_mode)]

@@ -40,7 +40,11 @@ def describe(name: str, analyses: list[str]) -> Kind:
 
 def _drives(mechanism: Mechanism) -> list[str]:
     legs = mechanism.legs
+    motors = mechanism.drive_count - mechanism.leg_count
     return [
-        "arc" if joints == ARC_JOINTS else DRIVES[int(drive)]
-        for drive, joints in zip(legs.drive, legs.joints, strict=True)
+        *(
+            "arc" if joints == ARC_JOINTS else DRIVES[int(drive)]
+            for drive, joints in zip(legs.drive, legs.joints, strict=True)
+        ),
+        *["motor"] * motors,
     ]

@@ -8,13 +8,13 @@ import numpy as np
 
 from analyses.custom import custom
 from analyses.errors import AnalysisError
+from analyses.geared import geared_decoupled
 from mechanics.arrays import Floats
 from mechanics.errors import GeometryError, WorkingModeError
 from mechanics.families.delta import (
     delta_linear,
     delta_linear_4dof,
     delta_rotary,
-    geared_decoupled,
     translational_3rrrr,
 )
 from mechanics.families.five_bar import five_bar

@@ -26,7 +26,7 @@ class InverseKinematicsResult(Model):
 
     analysis: Literal["inverse_kinematics"]
     working_mode: WorkingMode
-    units: list[str] = Field(description="Unit of each leg's drive coordinate.")
+    units: list[str] = Field(description="Unit of each drive's coordinate.")
     reachable: list[bool] = Field(description="All legs reach, within their actuator limits.")
     actuators: list[list[float | None]] = Field(
         description="Shape (poses, legs); crank angles in (-pi, pi]; null where the leg cannot."

@@ -10,7 +10,6 @@ from schemas.families import (
     DeltaLinear4Dof,
     DeltaRotary,
     FiveBar,
-    GearedDecoupled,
     GoughStewart,
     HexaLinear,
     HexaRotary,
@@ -18,6 +17,7 @@ from schemas.families import (
     Spherical3RRR,
     Translational3RRRR,
 )
+from schemas.geared import GearedDecoupled, WristGears
 from schemas.mechanisms import InlineMechanism
 
 
@@ -110,6 +110,7 @@ STARTERS: Mapping[str, InlineMechanism] = MappingProxyType(
             rod_length=0.37,
             carriage_arm=0.022,
             tool_offset=0.05,
+            wrist=WristGears(k1=0.9, k2=1.0, kp=0.87, k_gamma=1.4),
         ),
         "custom": _planar_3rpr(),
     }

@@ -123,6 +123,7 @@ from .workspace_result_class import WorkspaceResultClass
 from .workspace_result_fields import WorkspaceResultFields
 from .workspace_result_type import WorkspaceResultType
 from .workspace_result_working_mode_type_0_item import WorkspaceResultWorkingModeType0Item
+from .wrist_gears import WristGears
 
 __all__ = (
     "ActuatorLimit",
@@ -246,4 +247,5 @@ __all__ = (
     "WorkspaceResultFields",
     "WorkspaceResultType",
     "WorkspaceResultWorkingModeType0Item",
+    "WristGears",
 )

@@ -13,6 +13,7 @@ from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.actuator_limit import ActuatorLimit
+    from ..models.wrist_gears import WristGears
 
 
 T = TypeVar("T", bound="GearedDecoupled")
@@ -20,9 +21,11 @@ T = TypeVar("T", bound="GearedDecoupled")
 
 @_attrs_define
 class GearedDecoupled:
-    """The translation of the geared decoupled mechanism: upright rails at 90, 210, 330 degrees.
+    """The geared decoupled mechanism: three rails move a wrist, three motors turn the platform.
 
-    Working mode 1 takes the upper of a rail's two roots.
+    Upright rails at 90, 210 and 330 degrees; drives are the carriages' heights, then the motors
+    D1, D2, D3. The pose is that of the tool's point, which is tool_offset along the platform's x
+    from the wrist's centre. Working mode 1 takes the upper of a rail's two roots; a motor has 1.
 
         Attributes:
             carriage_arm (float): From a rail inward to the carriage's joint. [m]
@@ -30,12 +33,15 @@ class GearedDecoupled:
             platform_radius (float): Circle of the platform's joints. [m]
             rail_radius (float): Circle of the rails. [m]
             rod_length (float): [m]
-            tool_offset (float): Of the tool's point below the joints. [m]
+            tool_offset (float): Of the tool's point from the wrist's centre, along the platform's x. [m]
+            wrist (WristGears): How far the motors turn for the platform, with k = k1 k2 kp.
+
+                D1 = k (rx - ry) + k_gamma rz, D2 = k (rx + ry) + k_gamma rz, D3 = rz.
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-                one (or null) per leg.
+                one (or null) per drive.
             name (None | str | Unset): A name for people.
             working_mode (list[GearedDecoupledWorkingModeType0Item] | None | Unset): The default branch of the inverse
-                solution: 1 or -1 per leg.
+                solution: 1 or -1 per drive.
     """
 
     carriage_arm: float
@@ -44,6 +50,7 @@ class GearedDecoupled:
     rail_radius: float
     rod_length: float
     tool_offset: float
+    wrist: WristGears
     actuator_limits: ActuatorLimit | list[ActuatorLimit | None] | None | Unset = UNSET
     name: None | str | Unset = UNSET
     working_mode: list[GearedDecoupledWorkingModeType0Item] | None | Unset = UNSET
@@ -62,6 +69,8 @@ class GearedDecoupled:
         rod_length = self.rod_length
 
         tool_offset = self.tool_offset
+
+        wrist = self.wrist.to_dict()
 
         actuator_limits: dict[str, Any] | list[dict[str, Any] | None] | None | Unset
         if isinstance(self.actuator_limits, Unset):
@@ -109,6 +118,7 @@ class GearedDecoupled:
                 "rail_radius": rail_radius,
                 "rod_length": rod_length,
                 "tool_offset": tool_offset,
+                "wrist": wrist,
             }
         )
         if actuator_limits is not UNSET:
@@ -123,6 +133,7 @@ class GearedDecoupled:
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.actuator_limit import ActuatorLimit  # noqa: PLC0415
+        from ..models.wrist_gears import WristGears  # noqa: PLC0415
 
         d = dict(src_dict)
         carriage_arm = d.pop("carriage_arm")
@@ -138,6 +149,8 @@ class GearedDecoupled:
         rod_length = d.pop("rod_length")
 
         tool_offset = d.pop("tool_offset")
+
+        wrist = WristGears.from_dict(d.pop("wrist"))
 
         def _parse_actuator_limits(data: object) -> ActuatorLimit | list[ActuatorLimit | None] | None | Unset:
             if data is None:
@@ -223,6 +236,7 @@ class GearedDecoupled:
             rail_radius=rail_radius,
             rod_length=rod_length,
             tool_offset=tool_offset,
+            wrist=wrist,
             actuator_limits=actuator_limits,
             name=name,
             working_mode=working_mode,

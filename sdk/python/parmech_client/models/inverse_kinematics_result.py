@@ -26,7 +26,7 @@ class InverseKinematicsResult:
         analysis (Literal['inverse_kinematics']):
         obstacles (list[Obstacle]):
         reachable (list[bool]): All legs reach, within their actuator limits.
-        units (list[str]): Unit of each leg's drive coordinate.
+        units (list[str]): Unit of each drive's coordinate.
         working_mode (list[InverseKinematicsResultWorkingModeItem]):
     """
 
