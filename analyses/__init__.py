@@ -15,9 +15,10 @@ from analyses.desk import (
     warm,
 )
 from analyses.errors import AnalysisError, pointer
+from analyses.illustrations import check_picture, has_figure, picture
 from analyses.mechanisms import check_mechanism
 from analyses.plan import Plan
-from analyses.workspace_grid import check_picture, dense_grid, picture
+from analyses.workspace_grid import dense_grid
 
 __all__ = [
     "AnalysisError",
@@ -31,6 +32,7 @@ __all__ = [
     "compute",
     "dense_grid",
     "estimate",
+    "has_figure",
     "has_grid",
     "offered_kind",
     "offered_kinds",

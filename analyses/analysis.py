@@ -25,6 +25,8 @@ class Analysis(ABC, Generic[RequestT]):
     """
 
     name: str
+    about_mechanisms = True
+    """Whether a request names a mechanism, so that its family offers the analysis."""
 
     @abstractmethod
     def check(self, request: RequestT, node_limit: int) -> None:
@@ -32,7 +34,7 @@ class Analysis(ABC, Generic[RequestT]):
 
     @abstractmethod
     def items(self, request: RequestT) -> int:
-        """Return how many poses or grid nodes are to be examined."""
+        """Return how many poses, grid nodes or meshes are to be examined."""
 
     @abstractmethod
     def seconds_per_item(self, request: RequestT) -> float:

@@ -7,6 +7,7 @@ from typing import Any
 from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.effort import Effort
 from analyses.forward_kinematics import ForwardKinematics
+from analyses.friction_torque import FrictionTorque
 from analyses.inverse_kinematics import InverseKinematics
 from analyses.kinds import describe
 from analyses.mechanisms import check_mechanism
@@ -14,7 +15,7 @@ from analyses.plan import Plan
 from analyses.singularity import Singularity
 from analyses.velocity import Velocity
 from analyses.workspace import Workspace
-from schemas.analyses import Request, parse_request
+from schemas.analyses import Request, mechanism_of, parse_request
 from schemas.estimates import Estimate
 from schemas.examples import EXAMPLES, HEXAPOD_AT_REST
 from schemas.kinds import Kind
@@ -31,6 +32,7 @@ ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
             Effort(),
             Singularity(),
             Workspace(),
+            FrictionTorque(),
         )
     }
 )
@@ -43,8 +45,9 @@ def parse(text: str) -> Request:
 
 def check(request: Request, node_limit: int) -> None:
     """Raise AnalysisError if the request makes no sense; nothing large is allocated."""
-    if not isinstance(request.mechanism, StoredMechanism):
-        check_mechanism(request.mechanism)
+    mechanism = mechanism_of(request)
+    if mechanism is not None and not isinstance(mechanism, StoredMechanism):
+        check_mechanism(mechanism)
     ANALYSES[request.analysis].check(request, node_limit)
 
 
@@ -93,7 +96,7 @@ def offered_kinds() -> list[Kind]:
 
 def offered_kind(name: str) -> Kind:
     """Return one mechanism family; raise KeyError if there is none of this name."""
-    return describe(name, list(ANALYSES))
+    return describe(name, [a.name for a in ANALYSES.values() if a.about_mechanisms])
 
 
 def warm() -> None:

@@ -1,4 +1,4 @@
-"""What a picture of a workspace shows, before anyone draws it."""
+"""What a picture shows, before anyone draws it."""
 
 from dataclasses import dataclass
 
@@ -90,3 +90,49 @@ class WorkspacePicture:
     inside: npt.NDArray[np.bool_]
     field: PictureField | None
     skeleton: Skeleton | None
+
+
+@dataclass(frozen=True)
+class PictureCurve:
+    """One curve of a picture.
+
+    Parameters
+    ----------
+    label : str
+        What the curve is of.
+    x, y : array, shape (points,)
+        Its points in order; where y is NaN the curve has a gap. [units of the picture]
+    level : float
+        Its mean, drawn as a line of its own; NaN for none. [unit of y]
+    """
+
+    label: str
+    x: npt.NDArray[np.float64]
+    y: npt.NDArray[np.float64]
+    level: float
+
+
+@dataclass(frozen=True)
+class CurvePicture:
+    """Curves over one variable.
+
+    Parameters
+    ----------
+    title, subtitle : str
+        Lines of the heading; the second may be empty.
+    x_label, x_unit, y_label, y_unit : str
+        What is printed along the axes; units are empty where there are none.
+    curves : tuple of PictureCurve
+        One at least.
+    """
+
+    title: str
+    subtitle: str
+    x_label: str
+    x_unit: str
+    y_label: str
+    y_unit: str
+    curves: tuple[PictureCurve, ...]
+
+
+Picture = WorkspacePicture | CurvePicture

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Plan:
-    """Items (poses or grid nodes) in tiles of equal size, the last one smaller."""
+    """Items (poses, grid nodes or meshes) in tiles of equal size, the last one smaller."""
 
     items: int
     items_per_tile: int

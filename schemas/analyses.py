@@ -10,11 +10,13 @@ from schemas.forward_kinematics import (
     ForwardKinematicsRequest,
     ForwardKinematicsResult,
 )
+from schemas.friction_torque import FrictionTorqueRequest, FrictionTorqueResult
 from schemas.inverse_kinematics import (
     InverseKinematicsAllModesResult,
     InverseKinematicsRequest,
     InverseKinematicsResult,
 )
+from schemas.mechanisms import InlineMechanism, StoredMechanism
 from schemas.singularity import SingularityRequest, SingularityResult
 from schemas.velocity import VelocityRequest, VelocityResult
 from schemas.workspace import WorkspaceRequest, WorkspaceResult
@@ -26,6 +28,7 @@ Request = (
     | EffortRequest
     | SingularityRequest
     | WorkspaceRequest
+    | FrictionTorqueRequest
 )
 AnalysisRequest = Annotated[Request, Field(discriminator="analysis")]
 AnalysisResult = (
@@ -37,9 +40,16 @@ AnalysisResult = (
     | EffortResult
     | SingularityResult
     | WorkspaceResult
+    | FrictionTorqueResult
 )
 
 _REQUESTS: TypeAdapter[Request] = TypeAdapter(AnalysisRequest)
+
+
+def mechanism_of(request: Request) -> InlineMechanism | StoredMechanism | None:
+    """Return the mechanism that a request is about; None if it is about none."""
+    mechanism: InlineMechanism | StoredMechanism | None = getattr(request, "mechanism", None)
+    return mechanism
 
 
 def parse_request(text: str) -> Request:

@@ -1,9 +1,14 @@
 """Worked requests and answers, one per analysis; shown in the API docs and run as tests.
 
-All are of one five-bar whose numbers can be checked by hand: base joints at (-0.3, 0) and
-(0.3, 0), all links 0.5 m. At (0, 0.9) both cranks stand upright, the rods are the diagonals of
+All but the last are of one five-bar whose numbers can be checked by hand: base joints at (-0.3, 0)
+and (0.3, 0), all links 0.5 m. At (0, 0.9) both cranks stand upright, the rods are the diagonals of
 3-4-5 triangles, Jx = [[0.6, 0.8], [-0.6, 0.8]], Jpsi = diag(-0.3, 0.3), and the greatest torque
 under 10 N is 10 * 0.3 / 0.96 = 3.125 N m, reached along the other rod's normal.
+
+The last is of two wheels of 0.5 and 1 m whose line of action leans by a 3-4-5 triangle: base radii
+0.4 and 0.8 m, tangent points 0.3 m before and 0.6 m after the pitch point. 0.1 m after it a normal
+force of 100 N and 10 N of friction make 100 (0.4 + 0.1 * 0.4) = 44 N m at one centre and
+100 (0.8 + 0.1 * 0.5) = 85 N m at the other; 10 N lose 6 W at a sliding speed of 0.6 m/s.
 """
 
 import math
@@ -13,6 +18,8 @@ from schemas.analyses import Request
 from schemas.effort import EffortRequest, LoadSize
 from schemas.families import FiveBar
 from schemas.forward_kinematics import ForwardKinematicsRequest
+from schemas.friction_torque import FrictionTorqueRequest
+from schemas.gears import ExplicitMesh
 from schemas.inverse_kinematics import InverseKinematicsRequest
 from schemas.singularity import SingularityRequest
 from schemas.starters import STARTERS
@@ -190,7 +197,63 @@ _WORKSPACE = Example(
     },
 )
 
-EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE)
+_WHOLE_TRAIN = {
+    "input_torque": 44.0,
+    "frictionless_input_torque": 42.5,
+    "excess": 44.0 / 42.5 - 1.0,
+    "ratio": 0.5,
+    "efficiency": 42.5 / 44.0,
+    "loss": 1.5 / 44.0,
+    "power_loss": 6.0,
+    "self_locking": False,
+}
+_FRICTION_TORQUE = Example(
+    "One pair of teeth in recess, by points in its plane",
+    FrictionTorqueRequest(
+        analysis="friction_torque",
+        train=[
+            ExplicitMesh(
+                kind="explicit",
+                input_centre=[-0.5, 0.0],
+                output_centre=[1.0, 0.0],
+                pitch_point=[0.0, 0.0],
+                contact=[0.06, 0.08],
+                friction_coefficient=0.1,
+            )
+        ],
+        output_torque=85.0,
+        contact="explicit",
+        output_speed=2.0,
+    ),
+    {
+        "analysis": "friction_torque",
+        "contact": "explicit",
+        "sense": "driving",
+        **_WHOLE_TRAIN,
+        "stages": [
+            {
+                **_WHOLE_TRAIN,
+                "output_torque": 85.0,
+                "frictionless_output_torque": 85.0,
+                "contact_position": 0.1,
+                "input_arm": 0.44 / math.hypot(1.0, 0.1),
+                "output_arm": 0.85 / math.hypot(1.0, 0.1),
+                "sliding_speed": 0.6,
+                "geometry": {
+                    "pitch_radii": [0.5, 1.0],
+                    "base_radii": [0.4, 0.8],
+                    "pressure_angle": math.asin(0.6),
+                    "approach": 0.1,
+                    "recess": 0.1,
+                    "contact_ratio": None,
+                },
+                "curve": None,
+            }
+        ],
+    },
+)
+
+EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE, _FRICTION_TORQUE)
 
 HEXAPOD_AT_REST = ForwardKinematicsRequest(
     analysis="forward_kinematics",

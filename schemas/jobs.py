@@ -12,7 +12,7 @@ ErrorKind = Literal["user", "system", "timeout", "memory", "lost"]
 
 
 class Progress(Model):
-    """How far a job has come, in poses or grid nodes."""
+    """How far a job has come, in poses, grid nodes or meshes."""
 
     done: int
     total: int
@@ -50,7 +50,9 @@ class Job(Model):
 
     id: str
     analysis: str
-    mechanism: str = Field(description="Id of the mechanism's canonical form.")
+    mechanism: str | None = Field(
+        description="Id of the mechanism's canonical form; null where the request is about none."
+    )
     state: State
     progress: Progress
     attempt: int = Field(description="How often an engine has taken it up.")

@@ -13,11 +13,10 @@ from storage import StoredMechanism
 def job_document(job: JobRow) -> Job:
     """Return a job as the API shows it."""
     here = f"/v1/jobs/{job.id}"
-    gridded = analyses.has_grid(job.analysis)
     return Job(
         id=job.id,
         analysis=job.analysis,
-        mechanism=job.mechanism_id or "",
+        mechanism=job.mechanism_id,
         state=job.state.value,
         progress=Progress(done=job.done, total=job.items, fraction=job.done / job.items),
         attempt=job.attempt,
@@ -30,8 +29,8 @@ def job_document(job: JobRow) -> Job:
             events=f"{here}/events",
             cancel=f"{here}/cancel",
             result=f"{here}/result",
-            grid=f"{here}/grid" if gridded else None,
-            figure=f"{here}/figure" if gridded else None,
+            grid=f"{here}/grid" if analyses.has_grid(job.analysis) else None,
+            figure=f"{here}/figure" if analyses.has_figure(job.analysis) else None,
         ),
     )
 

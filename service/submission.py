@@ -3,7 +3,7 @@
 import hashlib
 
 import analyses
-from schemas.analyses import Request
+from schemas.analyses import Request, mechanism_of
 from schemas.mechanisms import StoredMechanism, canonical_json, mechanism_id, parse_spec
 from service.refusals import invalid
 from service.stores import Stores
@@ -24,7 +24,7 @@ def take_in(stores: Stores, request: Request) -> Request:
 
 
 def _resolve(stores: Stores, request: Request) -> Request:
-    mechanism = request.mechanism
+    mechanism = mechanism_of(request)
     if not isinstance(mechanism, StoredMechanism):
         return request
     try:
@@ -39,7 +39,6 @@ def enqueue(stores: Stores, request: Request, idempotency_key: str | None) -> tu
     """Return the job of a request that was taken in, and whether it is new."""
     text = canonical_json(request)
     plan = analyses.plan(request, stores.settings.tile_seconds)
-    mechanism = request.mechanism
     return stores.jobs.create(
         NewJob(
             analysis=request.analysis,
@@ -47,9 +46,14 @@ def enqueue(stores: Stores, request: Request, idempotency_key: str | None) -> tu
             items=plan.items,
             items_per_tile=plan.items_per_tile,
             body_hash=hashlib.sha256(text.encode()).hexdigest(),
-            mechanism_id=None
-            if isinstance(mechanism, StoredMechanism)
-            else mechanism_id(mechanism),
+            mechanism_id=_mechanism_id(request),
             idempotency_key=idempotency_key,
         )
     )
+
+
+def _mechanism_id(request: Request) -> str | None:
+    mechanism = mechanism_of(request)
+    if mechanism is None:
+        return None
+    return mechanism.id if isinstance(mechanism, StoredMechanism) else mechanism_id(mechanism)

@@ -94,7 +94,7 @@ class NewJob:
     body_hash : str
         Hash of the body; tells a repeated request from a reused idempotency key.
     mechanism_id : str, optional
-        Stored mechanism that the request named.
+        Id of the mechanism that the request is about, if it is about one.
     idempotency_key : str, optional
         Under the same key the same job is returned for 24 h.
     """
@@ -113,7 +113,7 @@ class Job:
     """One row of the job table.
 
     Times are seconds since the epoch by the database's clock. `revision` grows with every change
-    that a client can see. `done` and `items` count poses or grid nodes.
+    that a client can see. `done` and `items` count poses, grid nodes or meshes.
     """
 
     id: str

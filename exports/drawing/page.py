@@ -7,10 +7,12 @@ import matplotlib
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from analyses.pictures import WorkspacePicture
+from analyses.pictures import CurvePicture, Picture, WorkspacePicture
 from exports.drawing import style
+from exports.drawing.curves import draw_curves
 from exports.drawing.layout import arrange
 from exports.drawing.lines import draw_line
+from exports.drawing.panels import Panel
 from exports.drawing.planes import draw_plane
 
 _PLANE = 2
@@ -19,12 +21,12 @@ _PLANE = 2
 _ONE_AT_A_TIME = threading.Lock()
 
 
-def render(picture: WorkspacePicture, format: str) -> bytes:
+def render(picture: Picture, format: str) -> bytes:
     """Return the file of a figure.
 
     Parameters
     ----------
-    picture : WorkspacePicture
+    picture : WorkspacePicture or CurvePicture
         What is to be drawn, its parts of fitting shapes.
     format : str
         A format that the plotting library writes: ``png`` or ``svg``.
@@ -36,16 +38,26 @@ def render(picture: WorkspacePicture, format: str) -> bytes:
         return _bytes_of(compose(picture), format)
 
 
-def compose(picture: WorkspacePicture) -> Figure:
+def compose(picture: Picture) -> Figure:
     """Return the figure of a picture, everything in its place.
 
     Parameters
     ----------
-    picture : WorkspacePicture
+    picture : WorkspacePicture or CurvePicture
         What is to be drawn, its parts of fitting shapes.
     """
     figure = Figure(figsize=(style.PAGE_WIDTH, style.PAGE_WIDTH), dpi=style.DOTS_PER_INCH)
     FigureCanvasAgg(figure)
+    panel = (
+        draw_curves(figure, picture)
+        if isinstance(picture, CurvePicture)
+        else _draw_region(figure, picture)
+    )
+    arrange(figure, panel, picture.title, picture.subtitle)
+    return figure
+
+
+def _draw_region(figure: Figure, picture: WorkspacePicture) -> Panel:
     draw = draw_plane if len(picture.axes) == _PLANE else draw_line
     panel = draw(figure, picture)
     if not picture.inside.any():
@@ -57,8 +69,7 @@ def compose(picture: WorkspacePicture) -> Figure:
             color=style.FAINT_INK,
             pad=5.0,
         )
-    arrange(figure, panel, picture.title, picture.subtitle)
-    return figure
+    return panel
 
 
 def _bytes_of(figure: Figure, format: str) -> bytes:

@@ -10,8 +10,8 @@ from fastapi import APIRouter, Header, Query, Response
 from fastapi.responses import FileResponse
 
 import analyses
-from exports import draw_workspace, write_csv, write_npz, write_whole
-from schemas.analyses import AnalysisResult
+from exports import draw_figure, write_csv, write_npz, write_whole
+from schemas.analyses import AnalysisResult, Request
 from schemas.workspace import WorkspaceRequest
 from service.etags import is_known
 from service.problems import Responses, declared
@@ -98,21 +98,28 @@ def get_figure(
     format: Annotated[FigureFormat | None, Query()] = None,
     field: Annotated[
         str | None,
-        Query(max_length=60, description="A kept field, or `<field>_<leg>`, shown as colours."),
+        Query(
+            max_length=60,
+            description="Of a workspace a kept field, or `<field>_<leg>`, shown as colours; of "
+            "friction `loss` or `input_torque`.",
+        ),
     ] = None,
     accept: Accept = None,
     if_none_match: IfNoneMatch = None,
 ) -> Response:
-    """Return a picture of a workspace: the region, a field as colours, the mechanism in a pose."""
+    """Return a picture: of a workspace, or of a gear train's friction over the mesh cycle.
+
+    A workspace is shown by its region, a field as colours and the mechanism in a pose.
+    """
     _successful(stores, job_id)
-    request = _gridded(stores, job_id)
+    request = _pictured(stores, job_id)
     chosen: FigureFormat = format or _accepted(accept, ("png", "svg"))
     # Before the field's name becomes part of a file's.
     analyses.check_picture(request, field)
 
     def make(path: Path) -> None:
         picture = analyses.picture(request, partial(stores.jobs.tiles, job_id), field)
-        write_whole(path, draw_workspace(picture, chosen))
+        write_whole(path, draw_figure(picture, chosen))
 
     return _file(stores, job_id, f"figure-{field or 'default'}.{chosen}", if_none_match, make)
 
@@ -136,8 +143,19 @@ def _gridded(stores: Stores, job_id: str) -> WorkspaceRequest:
     request = analyses.parse(stores.jobs.request(job_id))
     if isinstance(request, WorkspaceRequest):
         return request
+    raise _no_grid(request)
+
+
+def _pictured(stores: Stores, job_id: str) -> Request:
+    request = analyses.parse(stores.jobs.request(job_id))
+    if analyses.has_figure(request.analysis):
+        return request
+    raise _no_grid(request)
+
+
+def _no_grid(request: Request) -> Refusal:
     detail = f"the analysis {request.analysis} has no grid; fetch the result"
-    raise Refusal("no-grid", 404, "There is no grid", detail)
+    return Refusal("no-grid", 404, "There is no grid", detail)
 
 
 def _accepted(accept: str | None, formats: tuple[str, ...]) -> Any:  # noqa: ANN401

@@ -7,6 +7,7 @@ from typing import Any, get_args
 import pytest
 
 import analyses
+from analyses.pictures import WorkspacePicture
 from analyses.workspace import SECONDS_PER_LEG
 from analyses.workspace_bounds import EFFECTIVE_BOUNDS
 from schemas.workspace import Reason, WorkspaceRequest
@@ -246,7 +247,9 @@ def test_figures_mark_the_bound_of_their_field(
     request = analyses.parse(json.dumps(document))
     assert isinstance(request, WorkspaceRequest)
     made = analyses.compute(request, 0, 49)
-    shown = analyses.picture(request, lambda: iter([made]), field).field
+    picture = analyses.picture(request, lambda: iter([made]), field)
+    assert isinstance(picture, WorkspacePicture)
+    shown = picture.field
     assert shown is not None
     assert (shown.unit, shown.limit) == (unit, *bound.values())
 

@@ -17,7 +17,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from analyses.pictures import PictureAxis, PictureField, Skeleton, WorkspacePicture
-from exports import FigureFormat, FormatError, PictureError, draw_workspace
+from exports import FigureFormat, FormatError, PictureError, draw_figure
 from exports.drawing import page, style
 
 PictureMaker = Callable[..., WorkspacePicture]
@@ -50,31 +50,30 @@ def line_picture(*, with_field: bool) -> WorkspacePicture:
 def test_the_same_picture_gives_the_same_bytes(
     make_picture: PictureMaker, format: FigureFormat
 ) -> None:
-    assert draw_workspace(make_picture(), format) == draw_workspace(make_picture(), format)
+    assert draw_figure(make_picture(), format) == draw_figure(make_picture(), format)
 
 
 def test_threads_do_not_disturb_each_other(make_picture: PictureMaker) -> None:
     picture, drawn = make_picture(nodes=(9, 9)), []
     threads = [
-        threading.Thread(target=lambda: drawn.append(draw_workspace(picture, "svg")))
-        for _ in range(4)
+        threading.Thread(target=lambda: drawn.append(draw_figure(picture, "svg"))) for _ in range(4)
     ]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert drawn == [draw_workspace(picture, "svg")] * 4
+    assert drawn == [draw_figure(picture, "svg")] * 4
 
 
 def test_a_users_own_configuration_changes_nothing(make_picture: PictureMaker) -> None:
-    expected = draw_workspace(make_picture())
+    expected = draw_figure(make_picture())
     with matplotlib.rc_context({"font.size": 30.0, "axes.grid": True, "savefig.dpi": 50}):
-        assert draw_workspace(make_picture()) == expected
+        assert draw_figure(make_picture()) == expected
         assert matplotlib.rcParams["font.size"] == 30.0
 
 
 def test_svg_is_well_formed_and_undated(make_picture: PictureMaker) -> None:
-    svg = draw_workspace(make_picture(title="a -- b & <c> \x01 $d$ \\frac{"), "svg")
+    svg = draw_figure(make_picture(title="a -- b & <c> \x01 $d$ \\frac{"), "svg")
     assert ET.fromstring(svg).tag.endswith("svg")
     assert b"<dc:date>" not in svg
 
@@ -94,7 +93,7 @@ def test_nothing_is_cut_off(
     make_picture: PictureMaker, size: tuple[float, float], nodes: tuple[int, int], with_field: bool
 ) -> None:
     image = pixels(
-        draw_workspace(
+        draw_figure(
             make_picture(size=size, nodes=nodes, with_field=with_field, with_skeleton=False)
         )
     )[..., :3]
@@ -168,7 +167,7 @@ def test_horizontal_axis_is_the_first(make_picture: PictureMaker) -> None:
 @pytest.mark.parametrize("with_field", [True, False])
 @pytest.mark.parametrize("format", ["png", "svg"])
 def test_a_single_axis_is_drawn(format: FigureFormat, with_field: bool) -> None:
-    assert draw_workspace(line_picture(with_field=with_field), format)
+    assert draw_figure(line_picture(with_field=with_field), format)
 
 
 @pytest.mark.parametrize("nodes", [(1, 1), (1, 7), (7, 1)])
@@ -179,7 +178,7 @@ def test_an_axis_of_one_node_is_drawn(nodes: tuple[int, int]) -> None:
     )
     field = PictureField("Effort", "N", np.ones(nodes), 2.0)
     picture = WorkspacePicture("", "", axes, np.ones(nodes, bool), field, None)
-    assert draw_workspace(picture)
+    assert draw_figure(picture)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
@@ -197,7 +196,7 @@ def test_a_ragged_region_is_drawn_node_by_node(make_picture: PictureMaker) -> No
     inside = np.indices((301, 301)).sum(axis=0) % 2 == 0
     field = PictureField("Effort", "N", np.where(inside, 1.0, np.nan), None)
     ragged = dataclasses.replace(picture, inside=inside, field=field)
-    assert len(draw_workspace(ragged, "svg")) < 4 * 2**20
+    assert len(draw_figure(ragged, "svg")) < 4 * 2**20
 
 
 @pytest.mark.parametrize(
@@ -210,24 +209,24 @@ def test_a_ragged_region_is_drawn_node_by_node(make_picture: PictureMaker) -> No
     ids=["nothing", "a leg that does not reach", "a strut and a platform"],
 )
 def test_any_skeleton_is_drawn(make_picture: PictureMaker, skeleton: Skeleton) -> None:
-    assert draw_workspace(dataclasses.replace(make_picture(), skeleton=skeleton))
+    assert draw_figure(dataclasses.replace(make_picture(), skeleton=skeleton))
 
 
 @pytest.mark.parametrize("title", ["", "$x^{", "Пятизвенник", "W" * 500, "\x00\n"])
 def test_any_title_is_drawn(make_picture: PictureMaker, title: str) -> None:
-    assert draw_workspace(make_picture(title=title))
+    assert draw_figure(make_picture(title=title))
 
 
 def test_another_format_is_refused(make_picture: PictureMaker) -> None:
     with pytest.raises(FormatError) as caught:
-        draw_workspace(make_picture(), "pdf")  # type: ignore[arg-type]
+        draw_figure(make_picture(), "pdf")  # type: ignore[arg-type]
     assert caught.value.allowed == ("png", "svg")
 
 
 def test_parts_that_do_not_fit_are_refused(make_picture: PictureMaker) -> None:
     picture = make_picture()
     with pytest.raises(PictureError) as caught:
-        draw_workspace(dataclasses.replace(picture, inside=picture.inside.T))
+        draw_figure(dataclasses.replace(picture, inside=picture.inside.T))
     assert caught.value.part == "inside"
 
 

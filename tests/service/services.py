@@ -13,6 +13,7 @@ from starlette.exceptions import StarletteDeprecationWarning
 import storage
 from service.app import create_app
 from settings import Settings
+from storage import Job, Queue
 
 with warnings.catch_warnings():
     # The test client is given httpx, whose successor it would rather have.
@@ -94,3 +95,12 @@ def assert_problem(answer: httpx.Response, status: int, *pointers: str) -> None:
     if pointers:
         assert [fault["pointer"] for fault in problem["errors"]] == list(pointers), problem
         assert all(fault["detail"] for fault in problem["errors"])
+
+
+def claimed(api: Service, body: dict[str, Any]) -> tuple[Queue, Job]:
+    """Return a job that an engine has taken up, and the engine's queue."""
+    assert api.post("/v1/jobs", body).status_code == 201
+    queue = Queue(api.database, "an engine", lease_seconds=60)
+    job = queue.claim()
+    assert job is not None
+    return queue, job

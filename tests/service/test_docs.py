@@ -20,6 +20,7 @@ ANALYSES = [
     "effort",
     "singularity",
     "workspace",
+    "friction_torque",
 ]
 WITH_ANALYSIS = ["/v1/analyses", "/v1/estimates", "/v1/jobs"]
 

@@ -5,11 +5,9 @@ from typing import Any
 
 import pytest
 
-import analyses
-import storage
-from storage import ErrorKind, Fault, Job, JobError, Queue
+from storage import ErrorKind, Fault, JobError
 from tests.service.bodies import INVERSE, WORKSPACE
-from tests.service.services import Service, assert_problem
+from tests.service.services import Service, assert_problem, claimed
 
 STATUS = {
     ErrorKind.USER: 422,
@@ -18,32 +16,6 @@ STATUS = {
     ErrorKind.SYSTEM: 500,
     ErrorKind.LOST: 500,
 }
-
-
-@pytest.fixture
-def run(api: Service) -> Callable[[dict[str, Any]], dict[str, Any]]:
-    """Return what submits a request and answers it as an engine would."""
-
-    def run(body: dict[str, Any]) -> dict[str, Any]:
-        queue, job = claimed(api, body)
-        request = analyses.parse(queue.request(job))
-        pieces = [analyses.compute(request, *job.bounds(tile)) for tile in range(job.tiles)]
-        for tile, piece in enumerate(pieces):
-            queue.store_tile(job, tile, storage.pack_arrays(piece))
-        queue.succeed(job, analyses.assemble(request, lambda: pieces).model_dump_json())
-        answer: dict[str, Any] = api.get(f"/v1/jobs/{job.id}").json()
-        return answer
-
-    return run
-
-
-def claimed(api: Service, body: dict[str, Any]) -> tuple[Queue, Job]:
-    """Return a job that an engine has taken up, and the engine's queue."""
-    assert api.post("/v1/jobs", body).status_code == 201
-    queue = Queue(api.database, "an engine", lease_seconds=60)
-    job = queue.claim()
-    assert job is not None
-    return queue, job
 
 
 def failed(api: Service, kind: ErrorKind) -> str:

@@ -19,6 +19,8 @@ from .delta_linear_4_dof_working_mode_type_0_item import DeltaLinear4DofWorkingM
 from .delta_linear_working_mode_type_0_item import DeltaLinearWorkingModeType0Item
 from .delta_rotary import DeltaRotary
 from .delta_rotary_working_mode_type_0_item import DeltaRotaryWorkingModeType0Item
+from .design_mesh import DesignMesh
+from .design_mesh_face import DesignMeshFace
 from .effective import Effective
 from .effort_request import EffortRequest
 from .effort_request_working_mode_type_0_item import EffortRequestWorkingModeType0Item
@@ -28,6 +30,7 @@ from .estimate import Estimate
 from .estimate_mode import EstimateMode
 from .excluded import Excluded
 from .excluded_reason import ExcludedReason
+from .explicit_mesh import ExplicitMesh
 from .field_fault import FieldFault
 from .field_problem import FieldProblem
 from .field_summary import FieldSummary
@@ -37,6 +40,13 @@ from .five_bar_working_mode_type_0_item import FiveBarWorkingModeType0Item
 from .forward_kinematics_guess_result import ForwardKinematicsGuessResult
 from .forward_kinematics_request import ForwardKinematicsRequest
 from .forward_kinematics_result import ForwardKinematicsResult
+from .friction_torque_request import FrictionTorqueRequest
+from .friction_torque_request_contact import FrictionTorqueRequestContact
+from .friction_torque_request_sense import FrictionTorqueRequestSense
+from .friction_torque_result import FrictionTorqueResult
+from .friction_torque_result_contact import FrictionTorqueResultContact
+from .friction_torque_result_sense import FrictionTorqueResultSense
+from .gear_stage import GearStage
 from .geared_decoupled import GearedDecoupled
 from .geared_decoupled_working_mode_type_0_item import GearedDecoupledWorkingModeType0Item
 from .get_figure_format_type_0 import GetFigureFormatType0
@@ -79,6 +89,8 @@ from .list_jobs_state_type_0 import ListJobsStateType0
 from .load_size import LoadSize
 from .measure import Measure
 from .mechanism_page import MechanismPage
+from .mesh_curve import MeshCurve
+from .mesh_geometry import MeshGeometry
 from .obstacle import Obstacle
 from .obstacle_in_mode import ObstacleInMode
 from .obstacle_in_mode_reason import ObstacleInModeReason
@@ -109,6 +121,7 @@ from .velocity_request import VelocityRequest
 from .velocity_request_working_mode_type_0_item import VelocityRequestWorkingModeType0Item
 from .velocity_result import VelocityResult
 from .velocity_result_working_mode_item import VelocityResultWorkingModeItem
+from .wheel import Wheel
 from .workspace_request import WorkspaceRequest
 from .workspace_request_class import WorkspaceRequestClass
 from .workspace_request_component import WorkspaceRequestComponent
@@ -145,6 +158,8 @@ __all__ = (
     "DeltaLinearWorkingModeType0Item",
     "DeltaRotary",
     "DeltaRotaryWorkingModeType0Item",
+    "DesignMesh",
+    "DesignMeshFace",
     "Effective",
     "EffortRequest",
     "EffortRequestWorkingModeType0Item",
@@ -154,6 +169,7 @@ __all__ = (
     "EstimateMode",
     "Excluded",
     "ExcludedReason",
+    "ExplicitMesh",
     "FieldFault",
     "FieldProblem",
     "FieldSummary",
@@ -163,8 +179,15 @@ __all__ = (
     "ForwardKinematicsGuessResult",
     "ForwardKinematicsRequest",
     "ForwardKinematicsResult",
+    "FrictionTorqueRequest",
+    "FrictionTorqueRequestContact",
+    "FrictionTorqueRequestSense",
+    "FrictionTorqueResult",
+    "FrictionTorqueResultContact",
+    "FrictionTorqueResultSense",
     "GearedDecoupled",
     "GearedDecoupledWorkingModeType0Item",
+    "GearStage",
     "GetFigureFormatType0",
     "GetGridFormatType0",
     "GoughStewart",
@@ -203,6 +226,8 @@ __all__ = (
     "LoadSize",
     "Measure",
     "MechanismPage",
+    "MeshCurve",
+    "MeshGeometry",
     "Obstacle",
     "ObstacleInMode",
     "ObstacleInModeReason",
@@ -233,6 +258,7 @@ __all__ = (
     "VelocityRequestWorkingModeType0Item",
     "VelocityResult",
     "VelocityResultWorkingModeItem",
+    "Wheel",
     "WorkspaceRequest",
     "WorkspaceRequestClass",
     "WorkspaceRequestComponent",

@@ -17,7 +17,7 @@ class Estimate:
     Attributes:
         bytes_ (int): Size of the result, arrays included. [B]
         mode (EstimateMode): How POST /v1/analyses would answer.
-        nodes (int): Poses or grid nodes to be examined.
+        nodes (int): Poses, grid nodes or meshes to be examined.
         seconds (float): Computing on one core. [s]
     """
 

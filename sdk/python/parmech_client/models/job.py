@@ -29,8 +29,8 @@ class Job:
         finished (datetime.datetime | None):
         id (str):
         links (Links): Where to go on from a job.
-        mechanism (str): Id of the mechanism's canonical form.
-        progress (Progress): How far a job has come, in poses or grid nodes.
+        mechanism (None | str): Id of the mechanism's canonical form; null where the request is about none.
+        progress (Progress): How far a job has come, in poses, grid nodes or meshes.
         started (datetime.datetime | None):
         state (JobState):
     """
@@ -42,7 +42,7 @@ class Job:
     finished: datetime.datetime | None
     id: str
     links: Links
-    mechanism: str
+    mechanism: None | str
     progress: Progress
     started: datetime.datetime | None
     state: JobState
@@ -72,6 +72,7 @@ class Job:
 
         links = self.links.to_dict()
 
+        mechanism: None | str
         mechanism = self.mechanism
 
         progress = self.progress.to_dict()
@@ -151,7 +152,12 @@ class Job:
 
         links = Links.from_dict(d.pop("links"))
 
-        mechanism = d.pop("mechanism")
+        def _parse_mechanism(data: object) -> None | str:
+            if data is None:
+                return data
+            return cast(None | str, data)
+
+        mechanism = _parse_mechanism(d.pop("mechanism"))
 
         progress = Progress.from_dict(d.pop("progress"))
 

@@ -10,7 +10,7 @@ T = TypeVar("T", bound="Progress")
 
 @_attrs_define
 class Progress:
-    """How far a job has come, in poses or grid nodes.
+    """How far a job has come, in poses, grid nodes or meshes.
 
     Attributes:
         done (int):

@@ -10,6 +10,8 @@ from ...models.effort_result import EffortResult
 from ...models.forward_kinematics_guess_result import ForwardKinematicsGuessResult
 from ...models.forward_kinematics_request import ForwardKinematicsRequest
 from ...models.forward_kinematics_result import ForwardKinematicsResult
+from ...models.friction_torque_request import FrictionTorqueRequest
+from ...models.friction_torque_result import FrictionTorqueResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.inverse_kinematics_result import InverseKinematicsResult
@@ -28,6 +30,7 @@ def _get_kwargs(
     *,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -57,6 +60,8 @@ def _get_kwargs(
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, SingularityRequest):
         _kwargs["json"] = body.to_dict()
+    elif isinstance(body, WorkspaceRequest):
+        _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
 
@@ -72,6 +77,7 @@ def _parse_response(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -89,6 +95,7 @@ def _parse_response(
             EffortResult
             | ForwardKinematicsGuessResult
             | ForwardKinematicsResult
+            | FrictionTorqueResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
             | SingularityResult
@@ -151,11 +158,19 @@ def _parse_response(
                 return response_200_type_6
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_7 = WorkspaceResult.from_dict(data)
+
+                return response_200_type_7
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_7 = WorkspaceResult.from_dict(data)
+            response_200_type_8 = FrictionTorqueResult.from_dict(data)
 
-            return response_200_type_7
+            return response_200_type_8
 
         response_200 = _parse_response_200(response.json())
 
@@ -203,6 +218,7 @@ def _build_response(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -224,6 +240,7 @@ def sync_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -234,6 +251,7 @@ def sync_detailed(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -249,15 +267,15 @@ def sync_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -278,6 +296,7 @@ def sync(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -288,6 +307,7 @@ def sync(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -304,15 +324,15 @@ def sync(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return sync_detailed(
@@ -328,6 +348,7 @@ async def asyncio_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -338,6 +359,7 @@ async def asyncio_detailed(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -353,15 +375,15 @@ async def asyncio_detailed(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -380,6 +402,7 @@ async def asyncio(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -390,6 +413,7 @@ async def asyncio(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -406,15 +430,15 @@ async def asyncio(
     Args:
         prefer (None | str | Unset): `respond-async` asks for a job.
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return (

@@ -8,6 +8,7 @@ from ...client import AuthenticatedClient, Client
 from ...models.effort_request import EffortRequest
 from ...models.estimate import Estimate
 from ...models.forward_kinematics_request import ForwardKinematicsRequest
+from ...models.friction_torque_request import FrictionTorqueRequest
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.problem import Problem
 from ...models.singularity_request import SingularityRequest
@@ -20,6 +21,7 @@ def _get_kwargs(
     *,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -41,6 +43,8 @@ def _get_kwargs(
     elif isinstance(body, EffortRequest):
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, SingularityRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, WorkspaceRequest):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -102,6 +106,7 @@ def sync_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -112,8 +117,8 @@ def sync_detailed(
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -139,6 +144,7 @@ def sync(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -149,8 +155,8 @@ def sync(
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -171,6 +177,7 @@ async def asyncio_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -181,8 +188,8 @@ async def asyncio_detailed(
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -206,6 +213,7 @@ async def asyncio(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -216,8 +224,8 @@ async def asyncio(
      Say what an analysis would cost and how it would be answered, before anyone pays.
 
     Args:
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

@@ -7,6 +7,7 @@ from ... import errors
 from ...client import AuthenticatedClient, Client
 from ...models.effort_request import EffortRequest
 from ...models.forward_kinematics_request import ForwardKinematicsRequest
+from ...models.friction_torque_request import FrictionTorqueRequest
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.job import Job
 from ...models.problem import Problem
@@ -20,6 +21,7 @@ def _get_kwargs(
     *,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -44,6 +46,8 @@ def _get_kwargs(
     elif isinstance(body, EffortRequest):
         _kwargs["json"] = body.to_dict()
     elif isinstance(body, SingularityRequest):
+        _kwargs["json"] = body.to_dict()
+    elif isinstance(body, WorkspaceRequest):
         _kwargs["json"] = body.to_dict()
     else:
         _kwargs["json"] = body.to_dict()
@@ -110,6 +114,7 @@ def sync_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -122,8 +127,8 @@ def sync_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -150,6 +155,7 @@ def sync(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -162,8 +168,8 @@ def sync(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -185,6 +191,7 @@ async def asyncio_detailed(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -197,8 +204,8 @@ async def asyncio_detailed(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.
@@ -223,6 +230,7 @@ async def asyncio(
     client: AuthenticatedClient | Client,
     body: EffortRequest
     | ForwardKinematicsRequest
+    | FrictionTorqueRequest
     | InverseKinematicsRequest
     | SingularityRequest
     | VelocityRequest
@@ -235,8 +243,8 @@ async def asyncio(
 
     Args:
         idempotency_key (None | str | Unset): The same key answers with the same job for 24 hours.
-        body (EffortRequest | ForwardKinematicsRequest | InverseKinematicsRequest |
-            SingularityRequest | VelocityRequest | WorkspaceRequest):
+        body (EffortRequest | ForwardKinematicsRequest | FrictionTorqueRequest |
+            InverseKinematicsRequest | SingularityRequest | VelocityRequest | WorkspaceRequest):
 
     Raises:
         errors.UnexpectedStatus: If the server returns an undocumented status code and Client.raise_on_unexpected_status is True.

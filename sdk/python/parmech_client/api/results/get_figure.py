@@ -131,12 +131,15 @@ def sync_detailed(
 ) -> Response[Any | File | Problem]:
     """Get Figure
 
-     Return a picture of a workspace: the region, a field as colours, the mechanism in a pose.
+     Return a picture: of a workspace, or of a gear train's friction over the mesh cycle.
+
+    A workspace is shown by its region, a field as colours and the mechanism in a pose.
 
     Args:
         job_id (str):
         format_ (GetFigureFormatType0 | None | Unset):
-        field (None | str | Unset): A kept field, or `<field>_<leg>`, shown as colours.
+        field (None | str | Unset): Of a workspace a kept field, or `<field>_<leg>`, shown as
+            colours; of friction `loss` or `input_torque`.
         accept (None | str | Unset):
         if_none_match (None | str | Unset):
 
@@ -174,12 +177,15 @@ def sync(
 ) -> Any | File | Problem | None:
     """Get Figure
 
-     Return a picture of a workspace: the region, a field as colours, the mechanism in a pose.
+     Return a picture: of a workspace, or of a gear train's friction over the mesh cycle.
+
+    A workspace is shown by its region, a field as colours and the mechanism in a pose.
 
     Args:
         job_id (str):
         format_ (GetFigureFormatType0 | None | Unset):
-        field (None | str | Unset): A kept field, or `<field>_<leg>`, shown as colours.
+        field (None | str | Unset): Of a workspace a kept field, or `<field>_<leg>`, shown as
+            colours; of friction `loss` or `input_torque`.
         accept (None | str | Unset):
         if_none_match (None | str | Unset):
 
@@ -212,12 +218,15 @@ async def asyncio_detailed(
 ) -> Response[Any | File | Problem]:
     """Get Figure
 
-     Return a picture of a workspace: the region, a field as colours, the mechanism in a pose.
+     Return a picture: of a workspace, or of a gear train's friction over the mesh cycle.
+
+    A workspace is shown by its region, a field as colours and the mechanism in a pose.
 
     Args:
         job_id (str):
         format_ (GetFigureFormatType0 | None | Unset):
-        field (None | str | Unset): A kept field, or `<field>_<leg>`, shown as colours.
+        field (None | str | Unset): Of a workspace a kept field, or `<field>_<leg>`, shown as
+            colours; of friction `loss` or `input_torque`.
         accept (None | str | Unset):
         if_none_match (None | str | Unset):
 
@@ -253,12 +262,15 @@ async def asyncio(
 ) -> Any | File | Problem | None:
     """Get Figure
 
-     Return a picture of a workspace: the region, a field as colours, the mechanism in a pose.
+     Return a picture: of a workspace, or of a gear train's friction over the mesh cycle.
+
+    A workspace is shown by its region, a field as colours and the mechanism in a pose.
 
     Args:
         job_id (str):
         format_ (GetFigureFormatType0 | None | Unset):
-        field (None | str | Unset): A kept field, or `<field>_<leg>`, shown as colours.
+        field (None | str | Unset): Of a workspace a kept field, or `<field>_<leg>`, shown as
+            colours; of friction `loss` or `input_torque`.
         accept (None | str | Unset):
         if_none_match (None | str | Unset):
 

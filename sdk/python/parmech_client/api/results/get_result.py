@@ -9,6 +9,7 @@ from ...client import AuthenticatedClient, Client
 from ...models.effort_result import EffortResult
 from ...models.forward_kinematics_guess_result import ForwardKinematicsGuessResult
 from ...models.forward_kinematics_result import ForwardKinematicsResult
+from ...models.friction_torque_result import FrictionTorqueResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_result import InverseKinematicsResult
 from ...models.problem import Problem
@@ -38,6 +39,7 @@ def _parse_response(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -54,6 +56,7 @@ def _parse_response(
             EffortResult
             | ForwardKinematicsGuessResult
             | ForwardKinematicsResult
+            | FrictionTorqueResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
             | SingularityResult
@@ -116,11 +119,19 @@ def _parse_response(
                 return response_200_type_6
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_7 = WorkspaceResult.from_dict(data)
+
+                return response_200_type_7
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_7 = WorkspaceResult.from_dict(data)
+            response_200_type_8 = FrictionTorqueResult.from_dict(data)
 
-            return response_200_type_7
+            return response_200_type_8
 
         response_200 = _parse_response_200(response.json())
 
@@ -163,6 +174,7 @@ def _build_response(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -186,6 +198,7 @@ def sync_detailed(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -205,7 +218,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -227,6 +240,7 @@ def sync(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -247,7 +261,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return sync_detailed(
@@ -264,6 +278,7 @@ async def asyncio_detailed(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -283,7 +298,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -303,6 +318,7 @@ async def asyncio(
     EffortResult
     | ForwardKinematicsGuessResult
     | ForwardKinematicsResult
+    | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
     | SingularityResult
@@ -323,7 +339,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return (
