@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Booleans, Floats
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,7 @@ class Wrist:
         platform's frame. [m]
     joints : array, shape (legs, 3): the legs' joints on what they carry, from the centre. [m]
     lower_limit, upper_limit : arrays, shape (3,), of the motors. [rad]
+    geared : array, shape (3,): which motors drive through a train of gears.
     """
 
     gains: Floats
@@ -30,6 +31,7 @@ class Wrist:
     joints: Floats
     lower_limit: Floats
     upper_limit: Floats
+    geared: Booleans
 
     def motors(self, angles: Floats) -> Floats:
         """Return the motors' coordinates at angles rx, ry, rz, shape (3, poses) each. [rad]

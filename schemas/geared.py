@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, field_validator
 
 from schemas.families import UprightRails
+from schemas.gears import Train
 from schemas.quantities import Finite, Model
 
 Gain = Annotated[float, Field(ge=1e-6, le=1e6, strict=True, allow_inf_nan=False)]
@@ -41,6 +42,11 @@ class GearedDecoupled(UprightRails):
         description="Of the tool's point from the wrist's centre, along the platform's x. [m]"
     )
     wrist: WristGears
+    train: Train | None = Field(
+        default=None,
+        description="Meshes between the platform and D1, and likewise D2, from the platform to the "
+        "motor, for friction_torque: they give what friction adds, and wrist the ratio.",
+    )
 
     @field_validator("actuator_limits", mode="before")
     @classmethod

@@ -28,7 +28,8 @@ def geared_decoupled(
     """Return the geared decoupled mechanism: upright rails at 90, 210 and 330 degrees, a wrist.
 
     Two universal joints on every rod keep what the rails carry from turning, so it moves as that
-    of a Delta. Motors turn by D1 = k (rx - ry) + g rz, D2 = k (rx + ry) + g rz and D3 = rz.
+    of a Delta. Motors turn by D1 = k (rx - ry) + g rz, D2 = k (rx + ry) + g rz and D3 = rz; the
+    first two through trains of gears alike, the third turns the wrist itself.
 
     Parameters
     ----------
@@ -68,5 +69,6 @@ def geared_decoupled(
         joints,
         np.ascontiguousarray(limits[_RAILS:, 0]),
         np.ascontiguousarray(limits[_RAILS:, 1]),
+        np.array([True, True, False]),
     )
     return Mechanism(SPATIAL, gather(legs, limits[:_RAILS], working_mode[:_RAILS]), wrist)

@@ -86,6 +86,7 @@ def test_every_analysis_offered_answers(kind: Kind) -> None:
         "velocity": {**common, "actuator_rates": [[0.1] * count]},
         "effort": {**common, "load": {"force": 1.0}},
         "singularity": common,
+        "friction_torque": {**common, "load": {"moment": 1.0}, "contact": "worst"},
         "workspace": {
             "mechanism": document,
             "class": "theoretical",

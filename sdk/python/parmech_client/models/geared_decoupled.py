@@ -13,6 +13,8 @@ from ..types import UNSET, Unset
 
 if TYPE_CHECKING:
     from ..models.actuator_limit import ActuatorLimit
+    from ..models.design_mesh import DesignMesh
+    from ..models.explicit_mesh import ExplicitMesh
     from ..models.wrist_gears import WristGears
 
 
@@ -40,6 +42,8 @@ class GearedDecoupled:
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
                 one (or null) per drive.
             name (None | str | Unset): A name for people.
+            train (list[DesignMesh | ExplicitMesh] | None | Unset): Meshes between the platform and D1, and likewise D2,
+                from the platform to the motor, for friction_torque: they give what friction adds, and wrist the ratio.
             working_mode (list[GearedDecoupledWorkingModeType0Item] | None | Unset): The default branch of the inverse
                 solution: 1 or -1 per drive.
     """
@@ -53,10 +57,12 @@ class GearedDecoupled:
     wrist: WristGears
     actuator_limits: ActuatorLimit | list[ActuatorLimit | None] | None | Unset = UNSET
     name: None | str | Unset = UNSET
+    train: list[DesignMesh | ExplicitMesh] | None | Unset = UNSET
     working_mode: list[GearedDecoupledWorkingModeType0Item] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
         from ..models.actuator_limit import ActuatorLimit  # noqa: PLC0415
+        from ..models.explicit_mesh import ExplicitMesh  # noqa: PLC0415
 
         carriage_arm = self.carriage_arm
 
@@ -96,6 +102,23 @@ class GearedDecoupled:
         else:
             name = self.name
 
+        train: list[dict[str, Any]] | None | Unset
+        if isinstance(self.train, Unset):
+            train = UNSET
+        elif isinstance(self.train, list):
+            train = []
+            for train_type_0_item_data in self.train:
+                train_type_0_item: dict[str, Any]
+                if isinstance(train_type_0_item_data, ExplicitMesh):
+                    train_type_0_item = train_type_0_item_data.to_dict()
+                else:
+                    train_type_0_item = train_type_0_item_data.to_dict()
+
+                train.append(train_type_0_item)
+
+        else:
+            train = self.train
+
         working_mode: list[int] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
@@ -125,6 +148,8 @@ class GearedDecoupled:
             field_dict["actuator_limits"] = actuator_limits
         if name is not UNSET:
             field_dict["name"] = name
+        if train is not UNSET:
+            field_dict["train"] = train
         if working_mode is not UNSET:
             field_dict["working_mode"] = working_mode
 
@@ -133,6 +158,8 @@ class GearedDecoupled:
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.actuator_limit import ActuatorLimit  # noqa: PLC0415
+        from ..models.design_mesh import DesignMesh  # noqa: PLC0415
+        from ..models.explicit_mesh import ExplicitMesh  # noqa: PLC0415
         from ..models.wrist_gears import WristGears  # noqa: PLC0415
 
         d = dict(src_dict)
@@ -205,6 +232,44 @@ class GearedDecoupled:
 
         name = _parse_name(d.pop("name", UNSET))
 
+        def _parse_train(data: object) -> list[DesignMesh | ExplicitMesh] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                train_type_0 = []
+                _train_type_0 = data
+                for train_type_0_item_data in _train_type_0:
+
+                    def _parse_train_type_0_item(data: object) -> DesignMesh | ExplicitMesh:
+                        try:
+                            if not isinstance(data, dict):
+                                raise TypeError()
+                            train_type_0_item_type_0 = ExplicitMesh.from_dict(data)
+
+                            return train_type_0_item_type_0
+                        except (TypeError, ValueError, AttributeError, KeyError):
+                            pass
+                        if not isinstance(data, dict):
+                            raise TypeError()
+                        train_type_0_item_type_1 = DesignMesh.from_dict(data)
+
+                        return train_type_0_item_type_1
+
+                    train_type_0_item = _parse_train_type_0_item(train_type_0_item_data)
+
+                    train_type_0.append(train_type_0_item)
+
+                return train_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[DesignMesh | ExplicitMesh] | None | Unset, data)
+
+        train = _parse_train(d.pop("train", UNSET))
+
         def _parse_working_mode(data: object) -> list[GearedDecoupledWorkingModeType0Item] | None | Unset:
             if data is None:
                 return data
@@ -239,6 +304,7 @@ class GearedDecoupled:
             wrist=wrist,
             actuator_limits=actuator_limits,
             name=name,
+            train=train,
             working_mode=working_mode,
         )
 
