@@ -24,9 +24,16 @@ _FOREIGN = 1e-12
 REASONS = ("reach", "actuator_limits", "singularity")
 
 
-def check_poses(mechanism: Mechanism, poses: Sequence[Sequence[float]]) -> None:
-    """Raise AnalysisError naming the first pose with another number of coordinates."""
-    names = mechanism.motion.coordinates
+def check_poses(
+    mechanism: Mechanism,
+    poses: Sequence[Sequence[float]],
+    coordinates: Sequence[str] | None = None,
+) -> None:
+    """Raise AnalysisError naming the first pose with another number of coordinates.
+
+    These are all of the motion's, unless others are named.
+    """
+    names = mechanism.motion.coordinates if coordinates is None else coordinates
     for row, pose in enumerate(poses):
         if len(pose) != len(names):
             raise AnalysisError(
