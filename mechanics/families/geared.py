@@ -3,7 +3,7 @@
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.errors import require_positive
+from mechanics.errors import GeometryError, require_positive
 from mechanics.families.circles import UP, outward
 from mechanics.legs import PARALLEL_JOINTS, RAIL, Leg, gather
 from mechanics.mechanism import Mechanism
@@ -11,6 +11,7 @@ from mechanics.motions import SPATIAL
 from mechanics.wrists import Wrist
 
 _RAILS = 3
+_PARALLEL = 1e-9
 
 
 def geared_decoupled(
@@ -42,11 +43,20 @@ def geared_decoupled(
     limits, working_mode : arrays, shapes (6, 2) and (6,): rails before motors; +1 takes the
         upper of a rail's two roots. [m, rad, -]
 
+    Raises
+    ------
+    GeometryError : a radius is not positive, or all rods would be parallel.
+
     References
     ----------
     Glazunov et al., 2022, doi:10.31857/S0235711922020043.
     """
     require_positive(rail_radius=rail_radius, platform_radius=platform_radius)
+    if abs(rail_radius - carriage_arm - platform_radius) < _PARALLEL * rail_radius:
+        raise GeometryError(
+            "rail_radius less carriage_arm must differ from platform_radius, or all rods are "
+            f"parallel; given {rail_radius:g}, {carriage_arm:g} and {platform_radius:g} m"
+        )
     tool = np.array([tool_offset, 0.0, 0.0])
     joints = platform_radius * outward()
     bases = (rail_radius - carriage_arm) * outward()

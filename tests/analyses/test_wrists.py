@@ -241,6 +241,21 @@ def test_the_maximal_workspace_is_the_tools_sphere_about_the_centres() -> None:
         assert found == int(any(held))
 
 
+@pytest.mark.parametrize("kind", ["maximal", "full"])
+def test_a_turn_about_the_tools_line_is_tried_once(kind: str) -> None:
+    """It changes nothing but motors, so without their limits one angle stands for all."""
+    asked: dict[str, Any] = {"type": kind, "grid": box(0.1, 0.0, 0.0, 0.0), "fixed": {}}
+    asked["orientation_range"] = [{"coordinate": c, "step": 0.8} for c in ("rx", "ry", "rz")]
+    wide = {"min": -1e9, "max": 1e9}
+    every = codes(workspace(GEARED | {"actuator_limits": [*RAILS, wide, None, None]}) | asked) == 0
+    body = workspace(GEARED | {"actuator_limits": [*RAILS, None, None, None]}) | asked
+    found = codes(body) == 0
+    assert found.any()
+    assert np.array_equal(found, every)
+    told = {entry["coordinate"]: entry["count"] for entry in answered(body)["orientations"]}
+    assert told == {"rx": 1, "ry": 5, "rz": None}
+
+
 @pytest.mark.parametrize("cls", ["theoretical", "constructive"])
 def test_upright_rails_have_no_geometry(cls: str) -> None:
     """Without stops the region has no end, with them it is cut along spheres; as of a Delta."""
@@ -283,6 +298,12 @@ def test_all_working_modes_are_those_of_the_rails() -> None:
     found = answered(body | {"working_mode": "all"})
     assert found["working_modes"] == [[*s, 1, 1, 1] for s in product((1, -1), repeat=3)]
     assert np.array(found["actuators"]).shape == (8, 1, 6)
+
+
+def test_parallel_rods_are_named() -> None:
+    wire = GEARED | {"platform_radius": 0.33 - 0.022}
+    told = refused({"analysis": "inverse_kinematics", "mechanism": wire, "poses": [[0.0] * 6]})
+    assert "rail_radius less carriage_arm must differ from platform_radius" in told
 
 
 @pytest.mark.parametrize(
