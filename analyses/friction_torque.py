@@ -199,6 +199,8 @@ def _geometry(mesh: Mesh) -> MeshGeometry:
         pitch_radii=list(mesh.pitch_radii),
         base_radii=list(mesh.base_radii),
         pressure_angle=mesh.pressure_angle,
+        tip_radii=None if mesh.tip_radii is None else list(mesh.tip_radii),
+        tip_thickness=None if mesh.tip_thickness is None else list(mesh.tip_thickness),
         approach=mesh.approach,
         recess=mesh.recess,
         contact_ratio=mesh.contact_ratio,

@@ -243,6 +243,8 @@ _FRICTION_TORQUE = Example(
                     "pitch_radii": [0.5, 1.0],
                     "base_radii": [0.4, 0.8],
                     "pressure_angle": math.asin(0.6),
+                    "tip_radii": None,
+                    "tip_thickness": None,
                     "approach": 0.1,
                     "recess": 0.1,
                     "contact_ratio": None,

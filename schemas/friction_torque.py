@@ -116,6 +116,10 @@ class MeshGeometry(Model):
     pitch_radii: list[float] = Field(description="At work. [m]")
     base_radii: list[float] = Field(description="[m]")
     pressure_angle: float = Field(description="At work. [rad]")
+    tip_radii: list[float] | None = Field(description="Null for an explicit mesh. [m]")
+    tip_thickness: list[float] | None = Field(
+        description="Of the teeth, along their tip circles; null for an explicit mesh. [m]"
+    )
     approach: float = Field(
         description="Used length of the line of action before the pitch point. [m]"
     )

@@ -30,6 +30,7 @@ class Mesh:
     speed_radius : pitch line speed over the speed of the output shaft. [m]
     friction : law of friction between the teeth.
     contact : a place on the line of action that was asked for; None if there is none. [m]
+    tip_radii, tip_thickness : of input and output wheel, as `wheels.Pair`; None if not known. [m]
     """
 
     ratio: float
@@ -41,6 +42,8 @@ class Mesh:
     speed_radius: float
     friction: Friction
     contact: float | None = None
+    tip_radii: tuple[float, float] | None = None
+    tip_thickness: tuple[float, float] | None = None
 
     @property
     def base_radii(self) -> tuple[float, float]:

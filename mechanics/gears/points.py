@@ -138,8 +138,8 @@ def _check_reach(place: float, reach: tuple[float, float], field: str) -> None:
     if beyond > _NOTHING * abs(place):
         raise GearError(
             f"lies {abs(place):.6g} m from the pitch point and so {beyond:.6g} m outside of the "
-            f"line of action, whose involutes end {-reach[0]:.6g} m before the pitch point and "
-            f"{reach[1]:.6g} m after it",
+            f"line of action: on that side of the pitch point the involute ends after "
+            f"{abs(place) - beyond:.6g} m",
             field,
         )
 

@@ -108,6 +108,8 @@ def _mesh(
         speed_radius=speed_radius,
         friction=friction,
         contact=contact,
+        tip_radii=found.tip_radii,
+        tip_thickness=found.tip_thickness,
     )
 
 

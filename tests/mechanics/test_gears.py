@@ -1,12 +1,13 @@
 """Wheels, meshes and trains against textbook formulas, and what they refuse."""
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 import pytest
 
+from mechanics.arrays import Floats
 from mechanics.gears.contact import Sense
 from mechanics.gears.cycle import curve, mean_torque_factor
 from mechanics.gears.errors import GearError
@@ -83,6 +84,18 @@ def test_shifted_pair_of_a_catalogue() -> None:
     assert found.centre_distance == pytest.approx(56.4999e-3, abs=5e-8)
     assert 2.0 * np.array(found.pitch_radii) == pytest.approx([37.667e-3, 75.333e-3], abs=1e-6)
     assert 2.0 * np.array(found.tip_radii) == pytest.approx([44.840e-3, 79.400e-3], abs=5e-7)
+
+
+def test_tip_thickness_by_the_flanks_points() -> None:
+    """Where an involute from half a tooth at the pitch circle has unwound to the tip circle."""
+    count, shift = 25, 0.4
+    found = pair(teeth(count, 40, shifts=(shift, 0.0)))
+    half = 0.5 * math.pi / count + 2.0 * shift * math.tan(ANGLE) / count
+    unwound = [math.sqrt((r / found.base_radii[0]) ** 2 - 1.0) for r in (0.025, found.tip_radii[0])]
+    # Polar angle of an involute's point: the angle unwound less the angle of contact.
+    polar = [t - math.atan(t) for t in unwound]
+    thickness = 2.0 * found.tip_radii[0] * (half - (polar[1] - polar[0]))
+    assert found.tip_thickness[0] == pytest.approx(thickness, rel=1e-9)
 
 
 @pytest.mark.parametrize("counts", RANGE)
@@ -295,3 +308,41 @@ def test_a_pair_that_never_touches_at_the_pitch_point() -> None:
     assert mesh.approach < 0.0
     with pytest.raises(GearError, match="pitch point lies outside"):
         transfer(mesh, "pitch", "driving")
+
+
+@dataclass(frozen=True)
+class Stribeck:
+    """Friction that falls with speed."""
+
+    def coefficient(self, sliding_speed: Floats) -> Floats:
+        """Return less friction the faster the teeth slide."""
+        return 0.05 + 0.1 * np.exp(-sliding_speed)
+
+
+@pytest.mark.parametrize("place", [-0.003, 0.002])
+def test_another_law_is_asked_at_the_sliding_speed(place: float) -> None:
+    wheels = teeth(20, 40)
+    mesh = spur_mesh(wheels, Stribeck())
+    slide = 1.5 * (1.0 / 0.02 + 1.0 / 0.04) * abs(place)
+    same = spur_mesh(wheels, Coulomb(0.05 + 0.1 * math.exp(-slide)))
+    for sense in ("driving", "back_driving"):
+        found = at_place(mesh, place, sense, 1.5)
+        expected = at_place(same, place, sense, 1.5)
+        assert found.torque_factor == pytest.approx(expected.torque_factor, rel=1e-12)
+        assert found.input_arm == pytest.approx(expected.input_arm, rel=1e-12)
+
+
+@pytest.mark.parametrize("sense", ["driving", "back_driving"])
+@pytest.mark.parametrize("friction", [0.05, 0.5, 1.45])
+def test_the_mean_of_one_pair_in_closed_form(sense: Sense, friction: float) -> None:
+    """With one pair always in contact, moments are linear on either side of the pitch point."""
+    length = 0.05
+    mesh = replace(points(friction=friction), approach=length, recess=length, base_pitch=0.1)
+    radius, tangent = mesh.base_radii[0], 0.3 * math.sin(mesh.pressure_angle)
+    total = 0.0
+    for side in (-1.0, 1.0):
+        g = friction * side * (1.0 if sense == "driving" else -1.0)
+        # Integrated over s: (here + g s) / (here - g s) = -1 + 2 here / (here - g s).
+        here = radius + g * tangent
+        total += -0.5 - 2.0 * here / g * math.log((here - g * side * length) / here) * side / 0.1
+    assert mean_torque_factor(mesh, sense, math.nan) == pytest.approx(total, rel=1e-12)

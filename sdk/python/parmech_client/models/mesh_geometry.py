@@ -21,6 +21,8 @@ class MeshGeometry:
             pitch_radii (list[float]): At work. [m]
             pressure_angle (float): At work. [rad]
             recess (float): Used length of the line of action after the pitch point. [m]
+            tip_radii (list[float] | None): Null for an explicit mesh. [m]
+            tip_thickness (list[float] | None): Of the teeth, along their tip circles; null for an explicit mesh. [m]
     """
 
     approach: float
@@ -29,6 +31,8 @@ class MeshGeometry:
     pitch_radii: list[float]
     pressure_angle: float
     recess: float
+    tip_radii: list[float] | None
+    tip_thickness: list[float] | None
 
     def to_dict(self) -> dict[str, Any]:
         approach = self.approach
@@ -44,6 +48,20 @@ class MeshGeometry:
 
         recess = self.recess
 
+        tip_radii: list[float] | None
+        if isinstance(self.tip_radii, list):
+            tip_radii = self.tip_radii
+
+        else:
+            tip_radii = self.tip_radii
+
+        tip_thickness: list[float] | None
+        if isinstance(self.tip_thickness, list):
+            tip_thickness = self.tip_thickness
+
+        else:
+            tip_thickness = self.tip_thickness
+
         field_dict: dict[str, Any] = {}
 
         field_dict.update(
@@ -54,6 +72,8 @@ class MeshGeometry:
                 "pitch_radii": pitch_radii,
                 "pressure_angle": pressure_angle,
                 "recess": recess,
+                "tip_radii": tip_radii,
+                "tip_thickness": tip_thickness,
             }
         )
 
@@ -79,6 +99,36 @@ class MeshGeometry:
 
         recess = d.pop("recess")
 
+        def _parse_tip_radii(data: object) -> list[float] | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                tip_radii_type_0 = cast(list[float], data)
+
+                return tip_radii_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[float] | None, data)
+
+        tip_radii = _parse_tip_radii(d.pop("tip_radii"))
+
+        def _parse_tip_thickness(data: object) -> list[float] | None:
+            if data is None:
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                tip_thickness_type_0 = cast(list[float], data)
+
+                return tip_thickness_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[float] | None, data)
+
+        tip_thickness = _parse_tip_thickness(d.pop("tip_thickness"))
+
         mesh_geometry = cls(
             approach=approach,
             base_radii=base_radii,
@@ -86,6 +136,8 @@ class MeshGeometry:
             pitch_radii=pitch_radii,
             pressure_angle=pressure_angle,
             recess=recess,
+            tip_radii=tip_radii,
+            tip_thickness=tip_thickness,
         )
 
         return mesh_geometry
