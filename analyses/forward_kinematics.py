@@ -71,12 +71,12 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the cost of a row. [s]"""
         if request.guess is not None:
             return SECONDS_FROM_GUESS
-        return SECONDS_ALL[build(request.mechanism).motion.name]
+        return SECONDS_ALL[_closed_by_legs(build(request.mechanism))]
 
     def result_bytes(self, request: ForwardKinematicsRequest) -> int:
         """Return the size of the modes in JSON, if there are as many as can be. [B]"""
         mechanism = build(request.mechanism)
-        modes = 1 if request.guess is not None else MODES[mechanism.motion.name]
+        modes = 1 if request.guess is not None else MODES[_closed_by_legs(mechanism)]
         numbers = len(mechanism.motion.coordinates) + 4
         return len(request.actuators) * modes * numbers * BYTES_PER_NUMBER
 
@@ -132,6 +132,12 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
             route=arrays["routes"].tolist(),
             certified=arrays["certified"].tolist(),
         )
+
+
+def _closed_by_legs(mechanism: Mechanism) -> str:
+    """Return the motion whose modes are sought: under a wrist, that of what the legs carry."""
+    own = mechanism if mechanism.wrist is None else mechanism.carrier
+    return own.motion.name
 
 
 def _guesses(request: ForwardKinematicsRequest) -> list[list[float]]:

@@ -19,7 +19,8 @@ class Mechanism:
     """A platform with as many drives as its motion has coordinates: one a leg, then a wrist's.
 
     Legs under a wrist end in its centre, a point of the platform like any other; that they carry
-    something which does not turn shows where their joints really are.
+    something which does not turn shows where their joints really are. A wrist makes all turns, so
+    the motion is spatial.
 
     Raises
     ------

@@ -300,6 +300,12 @@ def test_all_working_modes_are_those_of_the_rails() -> None:
     assert np.array(found["actuators"]).shape == (8, 1, 6)
 
 
+def test_many_rows_of_drives_are_answered_at_once() -> None:
+    """Motors cost no more than three spheres do: they have two modes, not forty."""
+    body = {"analysis": "forward_kinematics", "mechanism": GEARED}
+    assert analyses.estimate(parsed(body | {"actuators": [[0.2] * 6] * 1000}), 0.5).mode == "sync"
+
+
 def test_parallel_rods_are_named() -> None:
     wire = GEARED | {"platform_radius": 0.33 - 0.022}
     told = refused({"analysis": "inverse_kinematics", "mechanism": wire, "poses": [[0.0] * 6]})

@@ -15,7 +15,7 @@ from tests.oracles.machines import Floats
 from tests.properties.mechanisms import ask
 
 Document = dict[str, Any]
-MECHANISMS, POSES = 8, 4
+MECHANISMS, POSES = 5, 3
 
 
 class Case(NamedTuple):
