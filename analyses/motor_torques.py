@@ -84,6 +84,7 @@ class MotorTorques(Analysis[FrictionTorqueRequest]):
             worst["worst_moment"] = np.moveaxis(directions.moment[motors], 2, 0)
         brakes = _brakes(request, block, torques, start, stop)
         factors = motor_factors(mechanism, *_factors(request), brakes)
+        torques = torques + 0.0  # no -0
         told = {"torque": factors * torques, "frictionless": torques, "brakes": brakes}
         return {name: column.T for name, column in told.items()} | worst | found
 
