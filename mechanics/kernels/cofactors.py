@@ -58,16 +58,25 @@ def expand(size: int, a: Floats, c: Floats, det: Floats, minors: Floats) -> None
         _four(a, c, det)
     else:
         _six(a, c, det, minors)
+    _zero_rounding(size, a, det, minors[0], minors[1])
+
+
+@inlined
+def _zero_rounding(size: int, a: Floats, det: Floats, product: Floats, square: Floats) -> None:
+    """Set determinants to 0 that are no larger than 4 n units of the product of their rows."""
     for i in range(LANES):
-        minors[0, i] = 1.0
+        product[i] = 1.0
     for p in range(size):
+        # Number by number for all poses: a sum inside the loop over poses is not vectorised.
         for i in range(LANES):
-            square = 0.0
-            for j in range(size):
-                square += a[p, j, i] * a[p, j, i]
-            minors[0, i] *= square
+            square[i] = 0.0
+        for j in range(size):
+            for i in range(LANES):
+                square[i] += a[p, j, i] * a[p, j, i]
+        for i in range(LANES):
+            product[i] *= square[i]
     for i in range(LANES):
-        bound = 4.0 * size * EPSILON * math.sqrt(minors[0, i])
+        bound = 4.0 * size * EPSILON * math.sqrt(product[i])
         det[i] = 0.0 if abs(det[i]) <= bound else det[i]
 
 
