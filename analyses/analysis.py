@@ -25,8 +25,8 @@ class Analysis(ABC, Generic[RequestT]):
     """
 
     name: str
-    about_mechanisms = True
-    """Whether a request names a mechanism, so that its family offers the analysis."""
+    needs_gears = False
+    """Whether only mechanisms with motors behind gears can be asked about."""
 
     @abstractmethod
     def check(self, request: RequestT, node_limit: int) -> None:

@@ -11,6 +11,7 @@ from analyses.friction_torque import FrictionTorque
 from analyses.inverse_kinematics import InverseKinematics
 from analyses.kinds import describe
 from analyses.mechanisms import check_mechanism
+from analyses.motor_torques import MotorTorques
 from analyses.plan import Plan
 from analyses.singularity import Singularity
 from analyses.velocity import Velocity
@@ -18,6 +19,7 @@ from analyses.workspace import Workspace
 from schemas.analyses import Request, mechanism_of, parse_request
 from schemas.estimates import Estimate
 from schemas.examples import EXAMPLES, HEXAPOD_AT_REST
+from schemas.friction_torque import FrictionTorqueRequest
 from schemas.kinds import Kind
 from schemas.mechanisms import KINDS, StoredMechanism
 from schemas.quantities import Model
@@ -36,6 +38,14 @@ ANALYSES: Mapping[str, Analysis[Any]] = MappingProxyType(
         )
     }
 )
+MOTOR_TORQUES = MotorTorques()
+
+
+def analysis_of(request: Request) -> Analysis[Any]:
+    """Return what answers a request: of gears in a mechanism another than of a train alone."""
+    if isinstance(request, FrictionTorqueRequest) and request.mechanism is not None:
+        return MOTOR_TORQUES
+    return ANALYSES[request.analysis]
 
 
 def parse(text: str) -> Request:
@@ -48,12 +58,12 @@ def check(request: Request, node_limit: int) -> None:
     mechanism = mechanism_of(request)
     if mechanism is not None and not isinstance(mechanism, StoredMechanism):
         check_mechanism(mechanism)
-    ANALYSES[request.analysis].check(request, node_limit)
+    analysis_of(request).check(request, node_limit)
 
 
 def estimate(request: Request, synchronous_seconds: float) -> Estimate:
     """Return what a checked request would cost, and how it would be answered."""
-    analysis = ANALYSES[request.analysis]
+    analysis = analysis_of(request)
     seconds = analysis.seconds(request)
     return Estimate(
         nodes=analysis.items(request),
@@ -65,22 +75,22 @@ def estimate(request: Request, synchronous_seconds: float) -> Estimate:
 
 def plan(request: Request, tile_seconds: float) -> Plan:
     """Return how a checked request is cut into tiles."""
-    return ANALYSES[request.analysis].plan(request, tile_seconds)
+    return analysis_of(request).plan(request, tile_seconds)
 
 
 def compute(request: Request, start: int, stop: int) -> Arrays:
     """Return the arrays of the items `start` to `stop` of a checked request."""
-    return ANALYSES[request.analysis].compute(request, start, stop)
+    return analysis_of(request).compute(request, start, stop)
 
 
 def assemble(request: Request, stretches: Stretches) -> Model:
     """Return the result from the arrays of all tiles, in order."""
-    return ANALYSES[request.analysis].assemble(request, stretches)
+    return analysis_of(request).assemble(request, stretches)
 
 
 def answer(request: Request) -> Model:
     """Return the result of a checked request at once."""
-    whole = compute(request, 0, ANALYSES[request.analysis].items(request))
+    whole = compute(request, 0, analysis_of(request).items(request))
     return assemble(request, lambda: [whole])
 
 
@@ -96,7 +106,7 @@ def offered_kinds() -> list[Kind]:
 
 def offered_kind(name: str) -> Kind:
     """Return one mechanism family; raise KeyError if there is none of this name."""
-    return describe(name, [a.name for a in ANALYSES.values() if a.about_mechanisms])
+    return describe(name, list(ANALYSES.values()))
 
 
 def warm() -> None:

@@ -1,6 +1,6 @@
 """Effort: what the drives must bear under a load on the platform."""
 
-from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
+from analyses.loads import check_known_load, load_of, vectors
 from analyses.mechanisms import build
 from analyses.poses import (
     check_motion,
@@ -16,7 +17,6 @@ from analyses.poses import (
     obstacle_rows,
     obstacles,
     pose_conditions,
-    signs,
 )
 from analyses.units import effort_units
 from mechanics.arrays import Floats
@@ -25,7 +25,7 @@ from mechanics.effort import signed_efforts, worst_efforts, worst_load
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.platforms import Platform, inertial_wrench
-from schemas.effort import EffortRequest, EffortResult, KnownLoad, LoadSize, PlatformBody
+from schemas.effort import EffortRequest, EffortResult, PlatformBody
 from schemas.poses import Obstacle
 from schemas.quantities import Model
 
@@ -45,7 +45,7 @@ class Effort(Analysis[EffortRequest]):
         check_poses(mechanism, request.poses)
         count = len(request.poses)
         if request.known_load is not None:
-            _check_known(request.known_load, count)
+            check_known_load(request.known_load, count)
         for name in ("platform_rates", "platform_accelerations"):
             rows = getattr(request, name)
             if rows is None:
@@ -60,11 +60,11 @@ class Effort(Analysis[EffortRequest]):
 
     def seconds_per_item(self, request: EffortRequest) -> float:
         """Return the cost of a pose. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count
+        return SECONDS_PER_LEG * _mechanism(request).drive_count
 
     def result_bytes(self, request: EffortRequest) -> int:
         """Return the size of efforts and worst loads in JSON. [B]"""
-        efforts = len(request.poses) * _mechanism(request).leg_count
+        efforts = len(request.poses) * _mechanism(request).drive_count
         numbers = 1 if request.load is None else NUMBERS_PER_EFFORT
         return efforts * numbers * BYTES_PER_NUMBER
 
@@ -100,7 +100,7 @@ class Effort(Analysis[EffortRequest]):
         }
         return EffortResult.model_construct(
             analysis=self.name,
-            working_mode=signs(mechanism.legs.working_mode),
+            working_mode=list(mechanism.working_mode),
             units=effort_units(mechanism),
             effort=nullable(arrays["effort"]),
             **worst,
@@ -112,23 +112,12 @@ def _mechanism(request: EffortRequest) -> Mechanism:
     return build(request.mechanism, request.working_mode)
 
 
-def _check_known(known: KnownLoad, poses: int) -> None:
-    for name in ("force", "moment"):
-        vectors = getattr(known, name)
-        if vectors is not None and isinstance(vectors[0], list):
-            check_rows(f"/known_load/{name}", vectors, poses, 3)
-
-
 def _load(request: EffortRequest, block: Configuration, start: int, stop: int) -> Load:
-    size = request.load or LoadSize()
-    wrench = np.zeros((6, stop - start))
-    if request.known_load is not None:
-        known = request.known_load
-        wrench[:3] += _vectors(known.force or [0.0] * 3, start, stop)
-        wrench[3:] += _vectors(known.moment or [0.0] * 3, start, stop)
-    if request.platform is not None:
-        wrench += _inertial(request, request.platform, block, start, stop)
-    return Load(size.force, size.moment, wrench)
+    load = load_of(request.load, request.known_load, start, stop)
+    if request.platform is None:
+        return load
+    inertial = _inertial(request, request.platform, block, start, stop)
+    return replace(load, known=load.known + inertial)
 
 
 def _inertial(
@@ -141,14 +130,7 @@ def _inertial(
             np.array(body.inertia or np.zeros((3, 3))),
         ),
         block.placement[1],
-        _vectors(request.platform_rates or [0.0] * 6, start, stop),
-        _vectors(request.platform_accelerations or [0.0] * 6, start, stop),
+        vectors(request.platform_rates or [0.0] * 6, start, stop),
+        vectors(request.platform_accelerations or [0.0] * 6, start, stop),
         np.array(body.gravity or STANDARD_GRAVITY),
     )
-
-
-def _vectors(vectors: Sequence[float] | Sequence[Sequence[float]], start: int, stop: int) -> Floats:
-    """Return vectors, one for all or one per pose, as columns of the poses `start` to `stop`."""
-    rows = np.atleast_2d(np.array(vectors, dtype=float))
-    chosen = rows[start:stop] if len(rows) > 1 else rows
-    return np.array(np.broadcast_to(chosen.T, (rows.shape[1], stop - start)))

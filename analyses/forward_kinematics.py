@@ -56,7 +56,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         mechanism = build(request.mechanism)
         rows = request.actuators
         for number, row in enumerate(rows):
-            _check_width(f"/actuators/{number}", row, mechanism.leg_count, "one per leg")
+            _check_width(f"/actuators/{number}", row, mechanism.drive_count, "one per drive")
         names = mechanism.motion.coordinates
         if _one_for_all(request):
             _check_width("/guess", _guesses(request)[0], len(names), ", ".join(names))
@@ -71,12 +71,12 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the cost of a row. [s]"""
         if request.guess is not None:
             return SECONDS_FROM_GUESS
-        return SECONDS_ALL[build(request.mechanism).motion.name]
+        return SECONDS_ALL[_closed_by_legs(build(request.mechanism))]
 
     def result_bytes(self, request: ForwardKinematicsRequest) -> int:
         """Return the size of the modes in JSON, if there are as many as can be. [B]"""
         mechanism = build(request.mechanism)
-        modes = 1 if request.guess is not None else MODES[mechanism.motion.name]
+        modes = 1 if request.guess is not None else MODES[_closed_by_legs(mechanism)]
         numbers = len(mechanism.motion.coordinates) + 4
         return len(request.actuators) * modes * numbers * BYTES_PER_NUMBER
 
@@ -134,6 +134,12 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         )
 
 
+def _closed_by_legs(mechanism: Mechanism) -> str:
+    """Return the motion whose modes are sought: under a wrist, that of what the legs carry."""
+    own = mechanism if mechanism.wrist is None else mechanism.carrier
+    return own.motion.name
+
+
 def _guesses(request: ForwardKinematicsRequest) -> list[list[float]]:
     guess: list[Any] = list(request.guess or [])
     return [guess] if _one_for_all(request) else guess
@@ -154,7 +160,7 @@ def _rows(rows: list[list[float]]) -> Floats:
 
 def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
     """Return what is known of modes, one row each, also where there are none."""
-    coordinates, legs = len(mechanism.motion.coordinates), mechanism.leg_count
+    coordinates, legs = len(mechanism.motion.coordinates), mechanism.drive_count
     return {
         "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
         "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, legs),

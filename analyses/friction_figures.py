@@ -40,11 +40,14 @@ def check_picture(request: FrictionTorqueRequest, field: str | None) -> str:
 
     Raises
     ------
-    AnalysisError : there is no such field, or no mesh has a cycle.
+    AnalysisError : there is no such field, no mesh has a cycle, or a mechanism was asked about.
     """
+    if request.mechanism is not None:
+        detail = "a figure shows the cycles of a train; ask about the train alone"
+        raise AnalysisError(("/mechanism", detail))
     if field is not None and field not in FIELDS:
         raise AnalysisError(("?field", f"given {field!r}; allowed: {', '.join(FIELDS)}"))
-    if all(mesh.base_pitch is None for mesh in build_train(request.train)):
+    if all(mesh.base_pitch is None for mesh in build_train(request.meshes)):
         detail = "a figure shows the cycles of meshes; give the base_pitch of one at least"
         raise AnalysisError(("/train", detail))
     return field or next(iter(FIELDS))
@@ -79,10 +82,10 @@ def picture(
 
 
 def _stages(request: FrictionTorqueRequest) -> tuple[tuple[Mesh, ...], tuple[Stage, ...]]:
-    train = build_train(request.train)
+    train = build_train(request.meshes)
     speed = math.nan if request.output_speed is None else request.output_speed
     stages = carry(
-        train, request.output_torque, request.contact, sense=request.sense, output_speed=speed
+        train, request.load_torque, request.contact, sense=request.sense, output_speed=speed
     )
     return train, stages
 
@@ -105,7 +108,7 @@ def _curve(
 def _subtitle(request: FrictionTorqueRequest, stages: Sequence[Stage], shown: int) -> str:
     torque = stages[-1].input_torque
     motor = "self-locking" if math.isnan(torque) else f"{torque:.4g} N·m at the motor"
-    parts = [f"{request.output_torque:g} N·m at the output", motor, CONTACTS[request.contact]]
+    parts = [f"{request.load_torque:g} N·m at the output", motor, CONTACTS[request.contact]]
     if shown < len(stages):
         parts.append(f"{shown} of {len(stages)} meshes, the others' base pitch being unknown")
     return ", ".join(parts)

@@ -46,14 +46,14 @@ CURVE = ("mesh", "phase", "pairs", "torque_factor")
 
 
 class FrictionTorque(Analysis[FrictionTorqueRequest]):
-    """Answers `friction_torque`; an item is a mesh."""
+    """Answers `friction_torque` of a train; an item is a mesh."""
 
     name = "friction_torque"
-    about_mechanisms = False
+    needs_gears = True
 
     def check(self, request: FrictionTorqueRequest, node_limit: int) -> None:
         """Raise AnalysisError if wheels do not mesh, or have no such contact or no cycle."""
-        train = build_train(request.train)
+        train = build_train(request.meshes)
         for number, mesh in enumerate(train):
             try:
                 check_contact(mesh, request.contact)
@@ -65,7 +65,7 @@ class FrictionTorque(Analysis[FrictionTorqueRequest]):
 
     def items(self, request: FrictionTorqueRequest) -> int:
         """Return the number of meshes."""
-        return len(request.train)
+        return len(request.meshes)
 
     def seconds_per_item(self, request: FrictionTorqueRequest) -> float:
         """Return the cost of a mesh. [s]"""
@@ -74,11 +74,11 @@ class FrictionTorque(Analysis[FrictionTorqueRequest]):
     def result_bytes(self, request: FrictionTorqueRequest) -> int:
         """Return the size of all stages in JSON. [B]"""
         numbers = NUMBERS_PER_MESH + NUMBERS_PER_POINT * (request.curve_points or 0)
-        return len(request.train) * numbers * BYTES_PER_NUMBER
+        return len(request.meshes) * numbers * BYTES_PER_NUMBER
 
     def compute(self, request: FrictionTorqueRequest, start: int, stop: int) -> Arrays:
         """Return what the meshes `start` to `stop` make of a torque, and their curves."""
-        train = build_train(request.train)
+        train = build_train(request.meshes)
         speeds = shaft_speeds(train, _speed(request))
         found = [
             transfer(mesh, request.contact, request.sense, mesh.speed_radius * speed)
@@ -94,11 +94,11 @@ class FrictionTorque(Analysis[FrictionTorqueRequest]):
     def assemble(self, request: FrictionTorqueRequest, stretches: Stretches) -> Model:
         """Return the torques along the train."""
         arrays = joined(stretches())
-        train = build_train(request.train)
+        train = build_train(request.meshes)
         rows = zip(*(arrays[name].tolist() for name in TRANSFER), strict=True)
         transfers = [Transfer(*row) for row in rows]
         speeds = shaft_speeds(train, _speed(request))
-        stages = pass_on(train, transfers, request.output_torque, speeds)
+        stages = pass_on(train, transfers, request.load_torque, speeds)
         return FrictionTorqueResult.model_construct(
             analysis=self.name,
             contact=request.contact,

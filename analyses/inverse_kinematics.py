@@ -6,9 +6,11 @@ import numpy as np
 
 from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
+from analyses.directions import angles_of, check_directions
 from analyses.mechanisms import build
-from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.poses import check_poses, holds, obstacle_rows, obstacles, pose_conditions
 from analyses.units import drive_units
+from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
 from schemas.inverse_kinematics import (
@@ -30,7 +32,11 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
 
     def check(self, request: InverseKinematicsRequest, node_limit: int) -> None:
         """Raise AnalysisError if a pose or the working mode does not fit the mechanism."""
-        check_poses(_mechanism(request), request.poses)
+        motion, names = _mechanism(request).motion, None
+        if request.directions is not None:
+            check_directions(motion, request.poses, request.directions)
+            names = motion.translations
+        check_poses(_mechanism(request), request.poses, names)
 
     def items(self, request: InverseKinematicsRequest) -> int:
         """Return the number of poses."""
@@ -38,11 +44,11 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
 
     def seconds_per_item(self, request: InverseKinematicsRequest) -> float:
         """Return the cost of a pose in all modes asked. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count * len(_modes(request))
+        return SECONDS_PER_LEG * _mechanism(request).drive_count * len(_modes(request))
 
     def result_bytes(self, request: InverseKinematicsRequest) -> int:
         """Return the size of the drive coordinates in JSON. [B]"""
-        numbers = len(request.poses) * _mechanism(request).leg_count * len(_modes(request))
+        numbers = len(request.poses) * _mechanism(request).drive_count * len(_modes(request))
         return numbers * BYTES_PER_NUMBER
 
     def compute(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
@@ -51,7 +57,7 @@ class InverseKinematics(Analysis[InverseKinematicsRequest]):
 
     def _block(self, request: InverseKinematicsRequest, start: int, stop: int) -> Arrays:
         mechanism = _mechanism(request)
-        poses = mechanism.columns(np.array(request.poses[start:stop], dtype=float))
+        poses = mechanism.columns(_poses(request, start, stop))
         parts = []
         for number, mode in enumerate(_modes(request)):
             block = Configuration(mechanism.in_working_mode(tuple(mode)), poses)
@@ -105,8 +111,16 @@ def _mechanism(request: InverseKinematicsRequest) -> Mechanism:
     return build(request.mechanism, None if mode == "all" else mode)
 
 
+def _poses(request: InverseKinematicsRequest, start: int, stop: int) -> Floats:
+    """Return the poses `start` to `stop`, one a row, with the angles that directions stand for."""
+    poses = np.array(request.poses[start:stop], dtype=float)
+    if request.directions is None:
+        return poses
+    return np.hstack([poses, angles_of(request.directions[start:stop])])
+
+
 def _modes(request: InverseKinematicsRequest) -> list[list[int]]:
     mechanism = _mechanism(request)
     if request.working_mode == "all":
         return [list(mode) for mode in mechanism.working_modes]
-    return [signs(mechanism.legs.working_mode)]
+    return [list(mechanism.working_mode)]

@@ -1,5 +1,9 @@
 """The mechanism families that are offered."""
 
+from collections.abc import Sequence
+from typing import Any
+
+from analyses.analysis import Analysis
 from analyses.mechanisms import build
 from analyses.units import coordinate_units
 from mechanics.legs import ARC_JOINTS, CRANK, RAIL, STRUT
@@ -12,7 +16,7 @@ from schemas.starters import STARTERS
 DRIVES = {CRANK: "crank", RAIL: "rail", STRUT: "strut"}
 
 
-def describe(name: str, analyses: list[str]) -> Kind:
+def describe(name: str, analyses: Sequence[Analysis[Any]]) -> Kind:
     """Return one kind, offering those of these analyses that make sense for it.
 
     Raises
@@ -31,7 +35,7 @@ def describe(name: str, analyses: list[str]) -> Kind:
         coordinates=list(motion.coordinates),
         coordinate_units=coordinate_units(motion),
         drives=_drives(mechanism),
-        analyses=analyses,
+        analyses=[a.name for a in analyses if not a.needs_gears or mechanism.wrist is not None],
         json_schema=spec.model_json_schema(),
         example=example,
         presets=presets,
@@ -40,7 +44,11 @@ def describe(name: str, analyses: list[str]) -> Kind:
 
 def _drives(mechanism: Mechanism) -> list[str]:
     legs = mechanism.legs
+    motors = mechanism.drive_count - mechanism.leg_count
     return [
-        "arc" if joints == ARC_JOINTS else DRIVES[int(drive)]
-        for drive, joints in zip(legs.drive, legs.joints, strict=True)
+        *(
+            "arc" if joints == ARC_JOINTS else DRIVES[int(drive)]
+            for drive, joints in zip(legs.drive, legs.joints, strict=True)
+        ),
+        *["motor"] * motors,
     ]

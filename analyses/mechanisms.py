@@ -8,13 +8,14 @@ import numpy as np
 
 from analyses.custom import custom
 from analyses.errors import AnalysisError
+from analyses.geared import geared_decoupled
+from analyses.gears import build_train
 from mechanics.arrays import Floats
 from mechanics.errors import GeometryError, WorkingModeError
 from mechanics.families.delta import (
     delta_linear,
     delta_linear_4dof,
     delta_rotary,
-    geared_decoupled,
     translational_3rrrr,
 )
 from mechanics.families.five_bar import five_bar
@@ -23,6 +24,7 @@ from mechanics.families.planar_3rrr import planar_3rrr
 from mechanics.families.spherical_3rrr import spherical_3rrr
 from mechanics.mechanism import Mechanism
 from mechanics.regularity import check_regular
+from schemas.geared import GearedDecoupled
 from schemas.mechanisms import InlineMechanism, StoredMechanism
 
 FAMILIES: Mapping[str, Callable[..., Mechanism]] = MappingProxyType(
@@ -41,7 +43,7 @@ FAMILIES: Mapping[str, Callable[..., Mechanism]] = MappingProxyType(
         "custom": custom,
     }
 )
-_SHARED = {"kind", "name", "actuator_limits", "working_mode"}
+_SHARED = {"kind", "name", "actuator_limits", "working_mode", "train"}
 
 
 class UnresolvedMechanismError(TypeError):
@@ -79,6 +81,8 @@ def check_mechanism(spec: InlineMechanism, at: str = "/mechanism") -> None:
         check_regular(mechanism)
     except GeometryError as error:
         raise AnalysisError((_pointer(spec, error, at), str(error))) from error
+    if isinstance(spec, GearedDecoupled) and spec.train is not None:
+        build_train(spec.train, f"{at}/train")
 
 
 def _pointer(spec: InlineMechanism, error: GeometryError, at: str) -> str:

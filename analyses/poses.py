@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from analyses.analysis import Arrays
 from analyses.errors import AnalysisError
-from mechanics.arrays import Booleans, Floats
+from mechanics.arrays import Booleans
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import NO_LEG, Condition
+from mechanics.conditions.motor_limits import MotorLimits
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
 from mechanics.drives import dead_drives
@@ -23,9 +24,16 @@ _FOREIGN = 1e-12
 REASONS = ("reach", "actuator_limits", "singularity")
 
 
-def check_poses(mechanism: Mechanism, poses: Sequence[Sequence[float]]) -> None:
-    """Raise AnalysisError naming the first pose with another number of coordinates."""
-    names = mechanism.motion.coordinates
+def check_poses(
+    mechanism: Mechanism,
+    poses: Sequence[Sequence[float]],
+    coordinates: Sequence[str] | None = None,
+) -> None:
+    """Raise AnalysisError naming the first pose with another number of coordinates.
+
+    These are all of the motion's, unless others are named.
+    """
+    names = mechanism.motion.coordinates if coordinates is None else coordinates
     for row, pose in enumerate(poses):
         if len(pose) != len(names):
             raise AnalysisError(
@@ -66,9 +74,9 @@ def check_motion(pointer: str, mechanism: Mechanism, rows: Sequence[Sequence[flo
         )
 
 
-def pose_conditions(mechanism: Mechanism) -> tuple[Condition, Condition]:
+def pose_conditions(mechanism: Mechanism) -> tuple[Condition, ...]:
     """Return what a pose must meet for the drives to hold it."""
-    return Reach(mechanism), ActuatorLimits(mechanism)
+    return Reach(mechanism), ActuatorLimits(mechanism), MotorLimits(mechanism)
 
 
 def holds(block: Configuration, conditions: Sequence[Condition]) -> Booleans:
@@ -154,8 +162,3 @@ def obstacle_rows(arrays: Arrays) -> list[dict[str, Any]]:
         }
         for pose, leg, reason, value, limit in zip(*columns, strict=True)
     ]
-
-
-def signs(mode: Floats) -> list[int]:
-    """Return a working mode as whole numbers."""
-    return [int(sign) for sign in mode]

@@ -7,7 +7,7 @@ import numpy as np
 from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable, nullable_vectors
 from analyses.mechanisms import build
-from analyses.poses import check_poses, obstacle_rows, obstacles, pose_conditions, signs
+from analyses.poses import check_poses, obstacle_rows, obstacles, pose_conditions
 from analyses.units import determinant_unit
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
@@ -35,11 +35,11 @@ class Singularity(Analysis[SingularityRequest]):
 
     def seconds_per_item(self, request: SingularityRequest) -> float:
         """Return the cost of a pose. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count
+        return SECONDS_PER_LEG * _mechanism(request).drive_count
 
     def result_bytes(self, request: SingularityRequest) -> int:
         """Return the size of the columns in JSON. [B]"""
-        numbers = NUMBERS_PER_POSE + _mechanism(request).leg_count
+        numbers = NUMBERS_PER_POSE + _mechanism(request).drive_count
         return len(request.poses) * numbers * BYTES_PER_NUMBER
 
     def compute(self, request: SingularityRequest, start: int, stop: int) -> Arrays:
@@ -68,7 +68,7 @@ class Singularity(Analysis[SingularityRequest]):
         mechanism = _mechanism(request)
         return SingularityResult.model_construct(
             analysis=self.name,
-            working_mode=signs(mechanism.legs.working_mode),
+            working_mode=list(mechanism.working_mode),
             determinant=nullable(arrays["determinant"]),
             determinant_unit=determinant_unit(mechanism),
             condition_number=nullable(arrays["condition_number"]),

@@ -6,18 +6,23 @@ from mechanics.motions import Motion
 
 
 def drive_units(mechanism: Mechanism) -> list[str]:
-    """Return the unit of each leg's drive coordinate."""
-    return ["rad" if drive == CRANK else "m" for drive in mechanism.legs.drive]
+    """Return the unit of each drive's coordinate."""
+    return ["rad" if turning else "m" for turning in _turning(mechanism)]
 
 
 def rate_units(mechanism: Mechanism) -> list[str]:
-    """Return the unit of each leg's drive rate."""
+    """Return the unit of each drive's rate."""
     return [f"{unit}/s" for unit in drive_units(mechanism)]
 
 
 def effort_units(mechanism: Mechanism) -> list[str]:
-    """Return the unit of each drive's effort: a crank's torque, a rail's or strut's force."""
-    return ["N·m" if drive == CRANK else "N" for drive in mechanism.legs.drive]
+    """Return the unit of each drive's effort: a crank's or motor's torque, a force of others."""
+    return ["N·m" if turning else "N" for turning in _turning(mechanism)]
+
+
+def _turning(mechanism: Mechanism) -> list[bool]:
+    motors = mechanism.drive_count - mechanism.leg_count
+    return [*(mechanism.legs.drive == CRANK).tolist(), *[True] * motors]
 
 
 def coordinate_units(motion: Motion) -> list[str]:

@@ -14,7 +14,6 @@ from analyses.poses import (
     obstacle_rows,
     obstacles,
     pose_conditions,
-    signs,
 )
 from analyses.units import rate_units
 from mechanics import velocity
@@ -42,7 +41,7 @@ class Velocity(Analysis[VelocityRequest]):
             check_rows("/platform_rates", request.platform_rates, count, 6)
             check_motion("/platform_rates", mechanism, request.platform_rates)
         if request.actuator_rates is not None:
-            check_rows("/actuator_rates", request.actuator_rates, count, mechanism.leg_count)
+            check_rows("/actuator_rates", request.actuator_rates, count, mechanism.drive_count)
 
     def items(self, request: VelocityRequest) -> int:
         """Return the number of poses."""
@@ -50,11 +49,11 @@ class Velocity(Analysis[VelocityRequest]):
 
     def seconds_per_item(self, request: VelocityRequest) -> float:
         """Return the cost of a pose. [s]"""
-        return SECONDS_PER_LEG * _mechanism(request).leg_count
+        return SECONDS_PER_LEG * _mechanism(request).drive_count
 
     def result_bytes(self, request: VelocityRequest) -> int:
         """Return the size of all rates in JSON. [B]"""
-        legs = _mechanism(request).leg_count
+        legs = _mechanism(request).drive_count
         return len(request.poses) * (6 + legs * NUMBERS_PER_LEG) * BYTES_PER_NUMBER
 
     def compute(self, request: VelocityRequest, start: int, stop: int) -> Arrays:
@@ -93,7 +92,7 @@ class Velocity(Analysis[VelocityRequest]):
         passive = [nullable_vectors(arrays[f"passive_{k}"]) for k in range(mechanism.leg_count)]
         return VelocityResult.model_construct(
             analysis=self.name,
-            working_mode=signs(mechanism.legs.working_mode),
+            working_mode=list(mechanism.working_mode),
             units=rate_units(mechanism),
             platform_rates=nullable_vectors(arrays["platform_rates"]),
             actuator_rates=nullable(arrays["actuator_rates"]),

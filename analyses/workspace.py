@@ -7,7 +7,6 @@ import numpy as np
 from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.errors import AnalysisError
 from analyses.plan import Plan
-from analyses.poses import signs
 from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
@@ -76,7 +75,7 @@ class Workspace(Analysis[WorkspaceRequest]):
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""
         setup = set_up(request)
-        widths = [field_width(name, setup.mechanism.leg_count) for name in setup.fields]
+        widths = [field_width(name, setup.mechanism.drive_count) for name in setup.fields]
         return setup.grid.size * (2 + 8 * sum(widths))
 
     def compute(self, request: WorkspaceRequest, start: int, stop: int) -> Arrays:
@@ -140,12 +139,12 @@ def _scan_mode(
 def _mode(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[int] | str:
     if request.working_mode == "any":
         return "any"
-    return signs(setup.mechanism.legs.working_mode)
+    return list(setup.mechanism.working_mode)
 
 
-def field_width(name: str, legs: int) -> int:
+def field_width(name: str, drives: int) -> int:
     """Return how many numbers a field has per node."""
-    return legs if name in ("effort", "actuators") else 1
+    return drives if name in ("effort", "actuators") else 1
 
 
 def _extent(setup: WorkspaceSetup, region: regions.Region) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from mechanics.conditions.condition_number import ConditionNumber
 from mechanics.conditions.crank_rod_angle import CrankRodAngle, legs_with_elbows
 from mechanics.conditions.determinant import Determinant
 from mechanics.conditions.effort import Effort
+from mechanics.conditions.motor_limits import MotorLimits
 from mechanics.conditions.platform_joint_angle import PlatformJointAngle
 from mechanics.conditions.pressure_angle import PressureAngle
 from mechanics.conditions.reach import Reach
@@ -54,6 +55,8 @@ def _constructive(bounds: Constructive, mechanism: Mechanism) -> Iterator[Condit
     limits = np.array([mechanism.legs.lower_limit, mechanism.legs.upper_limit])
     if np.isfinite(limits).any():
         yield ActuatorLimits(mechanism)
+    if _has_motor_limits(mechanism):
+        yield MotorLimits(mechanism)
     crank_rod = bounds.min_crank_rod_angle, bounds.max_crank_rod_angle
     if crank_rod != (None, None):
         yield CrankRodAngle(mechanism, *_both_ends(*crank_rod))
@@ -70,6 +73,14 @@ def _constructive(bounds: Constructive, mechanism: Mechanism) -> Iterator[Condit
         yield RodDistance(mechanism, bounds.min_rod_distance)
 
 
+def _has_motor_limits(mechanism: Mechanism) -> bool:
+    """Return whether a motor of the wrist has a stop."""
+    wrist = mechanism.wrist
+    if wrist is None:
+        return False
+    return bool(np.isfinite([wrist.lower_limit, wrist.upper_limit]).any())
+
+
 def _both_ends(lower: float | None, upper: float | None) -> tuple[float, float]:
     return 0.0 if lower is None else lower, math.pi if upper is None else upper
 
@@ -82,7 +93,7 @@ def _directions(axes: list[list[float]]) -> Floats:
 
 def _effective(bounds: Effective, mechanism: Mechanism) -> Iterator[Condition]:
     if bounds.max_effort is not None:
-        yield Effort(mechanism, load_of(bounds), _per_leg(bounds.max_effort, mechanism))
+        yield Effort(mechanism, load_of(bounds), _per_drive(bounds.max_effort, mechanism))
     if bounds.max_pressure_angle is not None:
         yield PressureAngle(mechanism, bounds.max_pressure_angle)
     if bounds.min_abs_determinant is not None:
@@ -91,11 +102,11 @@ def _effective(bounds: Effective, mechanism: Mechanism) -> Iterator[Condition]:
         yield ConditionNumber(bounds.max_condition_number)
     if bounds.max_actuator_speed is not None and bounds.platform_speed is not None:
         speed = Speed(bounds.platform_speed.linear, bounds.platform_speed.angular)
-        yield ActuatorSpeed(mechanism, speed, _per_leg(bounds.max_actuator_speed, mechanism))
+        yield ActuatorSpeed(mechanism, speed, _per_drive(bounds.max_actuator_speed, mechanism))
 
 
-def _per_leg(limits: float | list[float], mechanism: Mechanism) -> Floats:
-    return np.array(np.broadcast_to(limits, mechanism.leg_count), dtype=float)
+def _per_drive(limits: float | list[float], mechanism: Mechanism) -> Floats:
+    return np.array(np.broadcast_to(limits, mechanism.drive_count), dtype=float)
 
 
 def load_of(effective: Effective | None) -> Load:
@@ -167,8 +178,8 @@ def _limit_errors(
     name: str, limits: float | list[float] | None, verb: str, units: list[str]
 ) -> Iterator[Complaint]:
     if isinstance(limits, float) and len(set(units)) > 1:
-        detail = f"drives {verb} {shared_unit(units)}; give one number per leg"
+        detail = f"drives {verb} {shared_unit(units)}; give one number per drive"
         yield f"/effective/{name}", detail
     if isinstance(limits, list) and len(limits) != len(units):
-        detail = f"must be one number or {len(units)}, one per leg; given {len(limits)}"
+        detail = f"must be one number or {len(units)}, one per drive; given {len(limits)}"
         yield f"/effective/{name}", detail

@@ -50,13 +50,13 @@ def dense_grid(request: WorkspaceRequest, stretches: Stretches) -> DenseGrid:
     stretches = of_component(request, setup, stretches)
     shape = setup.grid.shape
     units = field_units(request, setup.mechanism)
-    legs = setup.mechanism.leg_count
+    drives = setup.mechanism.drive_count
     columns = [
         GridColumn("inside", np.dtype(bool), shape, "", partial(_inside, stretches)),
         GridColumn("reason", np.dtype(np.uint8), shape, "", partial(_reasons, stretches)),
     ]
     for name, unit in units.items():
-        own = (legs,) if field_width(name, legs) == legs else ()
+        own = (drives,) if field_width(name, drives) == drives else ()
         columns.append(
             GridColumn(
                 name, np.dtype(np.float64), shape + own, unit, partial(_field, stretches, name)
@@ -125,11 +125,11 @@ def check_picture(request: WorkspaceRequest, field: str | None) -> tuple[str, in
     if field is None:
         preferred = [f for f in ("effort_max", "effort") if f in request.fields]
         return (preferred[0], None) if preferred else None
-    legs = mechanism.leg_count
+    drives = mechanism.drive_count
     allowed: dict[str, tuple[str, int | None]] = {f: (f, None) for f in request.fields}
     for name in request.fields:
-        if field_width(name, legs) == legs:
-            allowed |= {f"{name}_{leg}": (name, leg) for leg in range(legs)}
+        if field_width(name, drives) == drives:
+            allowed |= {f"{name}_{drive}": (name, drive) for drive in range(drives)}
     if field not in allowed:
         known = ", ".join(allowed) or "none was kept"
         raise AnalysisError(("?field", f"given {field!r}; allowed: {known}"))

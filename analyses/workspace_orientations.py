@@ -2,10 +2,11 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from analyses.errors import pointer
 from mechanics.conditions.condition import Condition
+from mechanics.conditions.motor_limits import MotorLimits
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
 from mechanics.motions import Motion
@@ -36,10 +37,10 @@ def orientations_of(
     """
     if request.type not in MANY:
         return None
-    motion = mechanism.motion
+    motion, idle = mechanism.motion, _idle_turns(mechanism, conditions)
     given = {entry.coordinate: entry for entry in request.orientation_range}
     ranges = [
-        _range(name, given.get(name), len(ranged(motion)))
+        _range(name, given.get(name), len(ranged(motion)), idle=name in idle)
         for name in ranged(motion)
         if name not in request.fixed
     ]
@@ -49,6 +50,19 @@ def orientations_of(
     grid = Grid(tuple(r.axis for r in tried), columns, fixed.fixed)
     extent = math.prod(r.size for r in ranges)
     return Orientations(grid, ranges[-1].turn(motion) if around else None, extent)
+
+
+def _idle_turns(mechanism: Mechanism, conditions: Sequence[Condition]) -> tuple[str, ...]:
+    """Return the turns that change nothing that is asked.
+
+    Turning about its own x axis leaves a platform whose tool is along it with the wrist's centre
+    where it was, and only the limits of motors are felt.
+    """
+    wrist = mechanism.wrist
+    limited = any(isinstance(condition, MotorLimits) for condition in conditions)
+    if wrist is None or wrist.tool[1:].any() or limited:
+        return ()
+    return ("rx",)
 
 
 def ranged(motion: Motion) -> tuple[str, ...]:
@@ -87,7 +101,13 @@ class _Range:
         return Turn(motion, own, column, self.low, self.high, self.step)
 
 
-def _range(name: str, given: OrientationAxis | None, turns: int) -> _Range:
+def _range(name: str, given: OrientationAxis | None, turns: int, *, idle: bool) -> _Range:
+    """Return what a turn runs over, one angle after the other where that changes anything."""
+    chosen = _chosen_range(name, given, turns)
+    return replace(chosen, step=max(chosen.size, chosen.step)) if idle else chosen
+
+
+def _chosen_range(name: str, given: OrientationAxis | None, turns: int) -> _Range:
     asked = None if given is None else given.step
     step = asked or (ONE_TURN_STEP if turns == 1 else THREE_TURNS_STEP)
     if given is None or given.min is None or given.max is None:

@@ -59,7 +59,7 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
     once = SECONDS_PER_NODE if names or setup.fields else 0.0
     many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-    return (once + setup.mechanism.leg_count * per_leg) * many
+    return (once + setup.mechanism.drive_count * per_leg) * many
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:

@@ -126,7 +126,8 @@ def delta(mechanism: Json) -> Json:
 
 
 # Only the rods of 0.37 m are printed. A horizontal offset of 0.228 m between the joints of each
-# follows from the printed rates; 0.4 m of travel are taken.
+# follows from the printed rates; 0.4 m of travel are taken, and k1, k2 and kp so that their
+# product is the k of the printed rates. The tool's point is the wrist's centre here.
 GEARED = {
     "kind": "geared_decoupled",
     "rail_radius": 0.328,
@@ -134,7 +135,8 @@ GEARED = {
     "platform_radius": 0.08,
     "rod_length": 0.37,
     "tool_offset": 0.0,
-    "actuator_limits": {"min": 0.0, "max": 0.4},
+    "wrist": {"k1": 0.9, "k2": 1.0, "kp": 0.87, "k_gamma": 1.4},
+    "actuator_limits": [*[{"min": 0.0, "max": 0.4}] * 3, None, None, None],
 }
 
 
@@ -150,4 +152,5 @@ def geared_closer() -> Json:
 
 
 def _geared(grid: list[Json]) -> Json:
-    return workspace(GEARED, "constructive", "constant_orientation", grid)
+    fixed = {"rx": 0.0, "ry": 0.0, "rz": 0.0}
+    return workspace(GEARED, "constructive", "constant_orientation", grid, fixed=fixed)

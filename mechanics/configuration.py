@@ -14,7 +14,7 @@ SINGULAR = 1e-10
 
 
 class Configuration:
-    """The legs of a mechanism at a block of poses; what nobody asks for is not computed.
+    """The drives of a mechanism at a block of poses; what nobody asks for is not computed.
 
     Every array carries the poses on its last axis. A leg that cannot reach has NaN, and so
     has what needs all legs.
@@ -56,6 +56,15 @@ class Configuration:
     def _legs(self) -> int:
         return self.mechanism.leg_count
 
+    @property
+    def _drives(self) -> int:
+        return self.mechanism.drive_count
+
+    @property
+    def _angles(self) -> Floats:
+        """The angles rx, ry, rz of a platform on a wrist, shape (3, poses). [rad]"""
+        return self.poses[-3:]
+
     @cached_property
     def placement(self) -> tuple[Floats, Floats]:
         """Positions, shape (3, poses), and rotations, shape (9, poses) row by row. [m, -]"""
@@ -91,33 +100,45 @@ class Configuration:
 
     @cached_property
     def actuators(self) -> Floats:
-        """Drive coordinates, shape (legs, poses); crank angles in (-pi, pi]. [rad or m]"""
-        values = self._array(self._legs)
+        """Drive coordinates, shape (drives, poses); crank angles in (-pi, pi]. [rad or m]"""
+        values = self._array(self._drives)
+        own = values[: self._legs]
         if self.has("travel"):
-            legs.coordinates(self.mechanism.legs, self.travel, values)
+            legs.coordinates(self.mechanism.legs, self.travel, own)
         else:
             motion = self.mechanism.motion
-            batches.actuators(motion.kernel, self.mechanism.legs, self.poses, values)
+            batches.actuators(motion.kernel, self.mechanism.legs, self.poses, own)
+        if self.mechanism.wrist is not None:
+            values[self._legs :] = self.mechanism.wrist.motors(self._angles)
         return values
 
     @cached_property
     def rods(self) -> tuple[Floats, Floats]:
-        """Rod directions u, shape (legs, 3, poses), and the diagonal of Jpsi. [-, m or -]"""
+        """Rod directions u, shape (legs, 3, poses), and the legs' part of Jpsi. [-, m or -]"""
         directions, rates = self._array(self._legs, 3), self._array(self._legs)
         legs.rods(self.mechanism.legs, self.attachment[1], self.travel, directions, rates)
         return directions, rates
 
     @cached_property
     def platform_jacobians(self) -> Floats:
-        """Jx, shape (legs, coordinates, poses). [- for translations, m for turns]"""
+        """Jx, shape (drives, coordinates, poses). [- for translations, m for turns]
+
+        A wrist holds the turns one by one, measured at the characteristic length like those of
+        the legs; which motor turns how is then in Jpsi. So det Jx is 0 where the legs lose hold,
+        and not where motors cannot turn the platform every way.
+        """
         twists = self.mechanism.motion.twists
-        rows = self._array(self._legs, twists.shape[1])
-        jacobians.platform_jacobians(twists, self.rods[0], self.attachment[0], rows)
+        rows = self._array(self._drives, twists.shape[1])
+        own = rows[: self._legs]
+        jacobians.platform_jacobians(twists, self.rods[0], self.attachment[0], own)
+        if self.mechanism.wrist is not None:
+            held = self.mechanism.characteristic_length * twists[3:]
+            rows[self._legs :] = held[:, :, None]
         return rows
 
     @cached_property
     def cofactors(self) -> tuple[Floats, Floats]:
-        """Cofactors of Jx, shape (legs, coordinates, poses), and det Jx, shape (poses,)."""
+        """Cofactors of Jx, shape (drives, coordinates, poses), and det Jx, shape (poses,)."""
         matrices = self.platform_jacobians
         adjugates, determinants = np.empty_like(matrices), self._array()
         cofactors.write_cofactors(matrices, adjugates, determinants)
@@ -127,6 +148,35 @@ class Configuration:
     def determinants(self) -> Floats:
         """Det Jx, shape (poses,). [m to the number of turns]"""
         return self.cofactors[1]
+
+    @cached_property
+    def rate_rows(self) -> tuple[Floats, Floats]:
+        """Rows of J, shape (drives, coordinates, poses), and what each is to be divided by.
+
+        The divisors, shape (drives, poses), are 0 where a drive cannot move the platform.
+        """
+        if self.mechanism.wrist is None:
+            return self.platform_jacobians, self.rods[1]
+        rows, divisors = self.platform_jacobians.copy(), self._array(self._drives)
+        divisors[: self._legs] = self.rods[1]
+        rows[self._legs :, 3:], divisors[self._legs :] = self.mechanism.wrist.rates(self._angles)
+        return rows, divisors
+
+    @cached_property
+    def twist_columns(self) -> tuple[Floats, Floats]:
+        """Columns of J^-1, shape (drives, coordinates, poses), and what each is a multiple of.
+
+        The factors, shape (drives, poses), are still to be divided by det Jx. The same columns
+        are the rows of J^-T, finite where drives cannot move the platform.
+        """
+        adjugates, rates = self.cofactors[0], self.rods[1]
+        if self.mechanism.wrist is None:
+            return adjugates, rates
+        columns, factors = adjugates.copy(), np.ones((self._drives, self.count))
+        factors[: self._legs] = rates
+        held = self.mechanism.characteristic_length * self.mechanism.wrist.turns(self._angles)
+        columns[self._legs :] = np.einsum("jin,jcn->icn", held, adjugates[self._legs :])
+        return columns, factors
 
     @cached_property
     def condition_numbers(self) -> Floats:
@@ -142,29 +192,33 @@ class Configuration:
 
     @cached_property
     def pressure_angles(self) -> Floats:
-        """Pressure angles, shape (legs, poses), within [0, pi/2]. [rad]
+        """Pressure angles, shape (drives, poses), within [0, pi/2]. [rad]
 
         With all other drives braked, drive i moves the platform by J^-1 e_i; its pressure angle
         is between the velocity of the leg's joint on the platform and the line of the rod's
         force. At a type 2 singularity the platform's free motion takes its place. For an arc the
         force acts along the great circle from the platform's axis to the intermediate one.
         """
-        angles = self._array(self._legs)
+        angles = self._array(self._drives)
+        if self.mechanism.wrist is not None:
+            angles[self._legs :] = self.mechanism.wrist.pressure_angles(self._angles)
         pressure.pressure_angles(
             self.mechanism.motion.twists,
             self.mechanism.legs.joints,
             self.cofactors[0],
             self.rods[0],
             self.attachment[0],
-            angles,
+            angles[: self._legs],
         )
         return angles
 
     @cached_property
     def effort_rows(self) -> Floats:
         """Rows of J^-T as wrenches, shape (drives, 6, poses), forces before moments."""
-        rows = self._array(self._legs, 6)
-        efforts.effort_rows(*self.cofactors, self.rods[1], self.mechanism.motion.twists, rows)
+        rows = self._array(self._drives, 6)
+        columns, factors = self.twist_columns
+        twists = self.mechanism.motion.twists
+        efforts.effort_rows(columns, self.determinants, factors, twists, rows)
         return rows
 
 

@@ -1,4 +1,4 @@
-"""Drives that cannot move the platform: their leg is stretched or folded."""
+"""Drives that cannot move the platform: of a leg stretched or folded, a wrist with axes aligned."""
 
 import numpy as np
 
@@ -7,16 +7,17 @@ from mechanics.configuration import Configuration
 from mechanics.legs import CRANK, STRUT
 
 TOLERANCE = 1e-7
-"""A leg counts as stretched or folded within this angle.
+"""A leg counts as stretched or folded, and axes of a wrist as aligned, within this angle.
 
 The angle goes with the root of how near the leg is to its end, so rounding alone makes 1e-8. [rad]
 """
 
 
 def dead_drives(block: Configuration) -> Booleans:
-    """Return, shape (legs, poses), which drives have Jpsi = 0: those of a type 1 singularity.
+    """Return, shape (drives, poses), which drives have Jpsi = 0: those of a type 1 singularity.
 
     Jpsi over the sizes of rod direction and moving point's rate is the cosine between the two.
+    A wrist's motors go together: where ry is a right angle, no rate of theirs makes every turn.
     """
     legs = block.mechanism.legs
     moved = np.where(legs.drive == CRANK, legs.crank_length, 1.0)
@@ -26,5 +27,7 @@ def dead_drives(block: Configuration) -> Booleans:
         legs.rod_length / np.where(legs.drive == STRUT, 1.0, legs.rod_scale),
     )
     cosines = block.rods[1] / (moved * rods)[:, None]
+    if block.mechanism.wrist is not None:
+        cosines = np.concatenate([cosines, block.rate_rows[1][block.mechanism.leg_count :]])
     dead: Booleans = np.abs(cosines) <= TOLERANCE
     return dead

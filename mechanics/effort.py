@@ -33,8 +33,9 @@ def signed_efforts(block: Configuration, load: Load) -> Floats:
     ----------
     Laryushkin, Glazunov, Erastova, 2016, eq. (7), (8), where the minus was lost in print.
     """
+    columns, factors = block.twist_columns
     known: Floats = efforts.known_efforts(
-        *block.cofactors, block.rods[1], _in_coordinates(block, load)
+        columns, block.determinants, factors, _in_coordinates(block, load)
     )
     return known
 
@@ -57,10 +58,12 @@ def worst_efforts(block: Configuration, load: Load) -> Floats:
     motion = block.mechanism.motion
     translations = len(motion.translations)
     worst: Floats
-    if block.has("cofactors"):
+    if block.has("cofactors") or block.mechanism.wrist is not None:
+        columns, factors = block.twist_columns
         worst = efforts.worst_efforts(
-            *block.cofactors,
-            block.rods[1],
+            columns,
+            block.determinants,
+            factors,
             translations,
             load.force,
             load.moment,

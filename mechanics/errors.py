@@ -34,26 +34,27 @@ class PoseError(MechanicsError):
 
 
 class ActuatorsError(MechanicsError):
-    """Drive coordinates whose shape does not fit the mechanism's legs, or the guesses beside."""
+    """Drive coordinates whose shape does not fit the mechanism's drives, or the guesses beside."""
 
-    def __init__(self, given: tuple[int, ...], legs: int, *, rows: int | None = None) -> None:
+    def __init__(self, given: tuple[int, ...], drives: int, *, rows: int | None = None) -> None:
         count = "rows" if rows is None else str(rows)
         super().__init__(
-            f"actuators must have shape ({count}, {legs}), one column per leg; given {given}"
+            f"actuators must have shape ({count}, {drives}), one column per drive; given {given}"
         )
         self.given = given
-        self.legs = legs
+        self.drives = drives
 
 
 class WorkingModeError(MechanicsError):
     """Signs that are no working mode of the mechanism."""
 
-    def __init__(self, given: tuple[int, ...], legs: int) -> None:
+    def __init__(self, given: tuple[int, ...], drives: int) -> None:
         super().__init__(
-            f"must have {legs} signs, one per leg, 1 or -1, and 1 for a strut; given {list(given)}"
+            f"must have {drives} signs, one per drive, 1 or -1, and 1 for a strut or a motor; "
+            f"given {list(given)}"
         )
         self.given = given
-        self.legs = legs
+        self.drives = drives
 
 
 def require_positive(**lengths: float) -> None:

@@ -11,11 +11,11 @@ from mechanics.effort import worst_efforts
 from mechanics.loads import Load
 
 Field = Callable[[Configuration], Floats]
-"""A field's values, shape (poses,) or (legs, poses)."""
+"""A field's values, shape (poses,) or (drives, poses)."""
 
 
 def effort(load: Load) -> Field:
-    """Return the field of each drive's greatest effort, shape (legs, poses). [N m or N]"""
+    """Return the field of each drive's greatest effort, shape (drives, poses). [N m or N]"""
     return partial(worst_efforts, load=load)
 
 
@@ -30,7 +30,7 @@ def determinant(block: Configuration) -> Floats:
 
 
 def actuators(block: Configuration) -> Floats:
-    """Return the field of the drive coordinates, shape (legs, poses). [rad or m]"""
+    """Return the field of the drive coordinates, shape (drives, poses). [rad or m]"""
     return block.actuators
 
 

@@ -1,7 +1,7 @@
 """Forward kinematics: where the platform can be at given drives, all its assembly modes."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,7 +14,8 @@ from mechanics.assembly.settling import Modes, describe, loose, settle
 from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
 from mechanics.mechanism import Mechanism, WorkingMode
-from mechanics.rotations import coordinates
+from mechanics.rotations import coordinates, principal_angles
+from mechanics.wrists import Wrist
 
 _BLOCK = 2048
 """Rows answered together, so that memory does not grow with the request."""
@@ -76,16 +77,21 @@ class NearbyMode:
 def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
     """Return all assembly modes at each row of drive coordinates, each once.
 
+    The motors of a wrist hold one orientation. It is told by its principal angles, so motors that
+    stand whole turns on have the same modes.
+
     Parameters
     ----------
     mechanism : its working mode does not matter: a mode tells its own.
-    actuators : array, shape (rows, legs). [rad or m]
+    actuators : array, shape (rows, drives). [rad or m]
 
     Raises
     ------
-    ActuatorsError : `actuators` has another number of columns than there are legs.
+    ActuatorsError : `actuators` has another number of columns than there are drives.
     """
     columns = _columns(mechanism, actuators)
+    if mechanism.wrist is not None:
+        return _wristed_modes(mechanism, mechanism.wrist, columns)
     found: list[Assembly] = []
     for first in range(0, columns.shape[1], _BLOCK):
         found += _block(mechanism, columns[:, first : first + _BLOCK])
@@ -102,23 +108,28 @@ def nearby_modes(
 
     Parameters
     ----------
-    actuators : array, shape (rows, legs). [rad or m]
-    guesses : array, shape (rows, coordinates). [m, rad]
+    actuators : array, shape (rows, drives). [rad or m]
+    guesses : array, shape (rows, coordinates); turns that a wrist makes need no guess. [m, rad]
     iterations : how many steps are tried at most.
 
     Raises
     ------
-    ActuatorsError, PoseError : another number of columns than legs, or than coordinates.
+    ActuatorsError, PoseError : another number of columns than drives, or than coordinates.
 
     References
     ----------
     Glazunov et al., the iterative solution of the direct problem.
     """
-    legs = BrakedLegs(mechanism, _columns(mechanism, actuators))
-    start = mechanism.columns(guesses)
-    if start.shape[1] != legs.actuators.shape[1]:
-        raise ActuatorsError(np.shape(actuators), mechanism.leg_count, rows=start.shape[1])
-    signs = (1,) * mechanism.leg_count
+    columns, start = _columns(mechanism, actuators), mechanism.columns(guesses)
+    if start.shape[1] != columns.shape[1]:
+        raise ActuatorsError(np.shape(actuators), mechanism.drive_count, rows=start.shape[1])
+    if mechanism.wrist is not None:
+        return _wristed_nearby(mechanism, mechanism.wrist, columns, start[:3], iterations)
+    return _nearby(BrakedLegs(mechanism, columns), start, iterations)
+
+
+def _nearby(legs: BrakedLegs, start: Floats, iterations: int) -> list[NearbyMode]:
+    signs = (1,) * legs.mechanism.leg_count
     nowhere = [AssemblyMode(guess.copy(), signs, np.nan, np.nan) for guess in start.T]
     found = [NearbyMode(mode, converged=False, iterations=0) for mode in nowhere]
     possible = np.flatnonzero(legs.possible)
@@ -143,9 +154,47 @@ def side(mechanism: Mechanism, determinant: float) -> int:
 
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
     rows = np.asarray(actuators, dtype=float)
-    if rows.ndim != 2 or rows.shape[1] != mechanism.leg_count:
-        raise ActuatorsError(rows.shape, mechanism.leg_count)
+    if rows.ndim != 2 or rows.shape[1] != mechanism.drive_count:
+        raise ActuatorsError(rows.shape, mechanism.drive_count)
     return np.ascontiguousarray(rows.T)
+
+
+def _wristed_modes(mechanism: Mechanism, wrist: Wrist, columns: Floats) -> list[Assembly]:
+    """Return the modes of the wrist's centre, each with the platform that the motors turn."""
+    legs = mechanism.leg_count
+    turns = principal_angles(wrist.angles(columns[legs:]))
+    found = assembly_modes(mechanism.carrier, columns[:legs].T)
+    return [
+        replace(one, modes=tuple(_on_wrist(mechanism, wrist, m, angles) for m in one.modes))
+        for one, angles in zip(found, turns.T, strict=True)
+    ]
+
+
+def _wristed_nearby(
+    mechanism: Mechanism, wrist: Wrist, columns: Floats, points: Floats, iterations: int
+) -> list[NearbyMode]:
+    legs = mechanism.leg_count
+    turns = principal_angles(wrist.angles(columns[legs:]))
+    centres = wrist.centres(*mechanism.motion.place(np.vstack([points, turns])))
+    found = nearby_modes(mechanism.carrier, columns[:legs].T, centres.T, iterations)
+    return [
+        replace(one, mode=_on_wrist(mechanism, wrist, one.mode, angles))
+        for one, angles in zip(found, turns.T, strict=True)
+    ]
+
+
+def _on_wrist(
+    mechanism: Mechanism, wrist: Wrist, mode: AssemblyMode, angles: Floats
+) -> AssemblyMode:
+    """Return a mode of the wrist's centre as one of the platform at these angles, shape (3,)."""
+    centre = np.concatenate([mode.pose, angles])[:, None]
+    position = wrist.positions(*mechanism.motion.place(np.ascontiguousarray(centre)))
+    return AssemblyMode(
+        np.concatenate([position[:, 0], angles]),
+        (*mode.working_mode, *(1,) * len(angles)),
+        mode.determinant * mechanism.characteristic_length**3,
+        mode.residual,
+    )
 
 
 def _block(mechanism: Mechanism, columns: Floats) -> list[Assembly]:

@@ -1,4 +1,4 @@
-"""A mechanism is a motion and the legs that make it."""
+"""A mechanism is a motion and the legs that make it, with a wrist or without."""
 
 from dataclasses import dataclass, replace
 from itertools import product
@@ -8,29 +8,35 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.errors import GeometryError, PoseError, WorkingModeError
 from mechanics.legs import STRUT, Legs
-from mechanics.motions import Motion
+from mechanics.motions import TRANSLATION, Motion
+from mechanics.wrists import Wrist
 
 WorkingMode = tuple[int, ...]
 
 
 @dataclass(frozen=True)
 class Mechanism:
-    """A platform with as many driven legs as its motion has coordinates.
+    """A platform with as many drives as its motion has coordinates: one a leg, then a wrist's.
+
+    Legs under a wrist end in its centre, a point of the platform like any other; that they carry
+    something which does not turn shows where their joints really are. A wrist makes all turns, so
+    the motion is spatial.
 
     Raises
     ------
-    GeometryError : the number of legs is not the motion's number of coordinates.
+    GeometryError : the number of drives is not the motion's number of coordinates.
     """
 
     motion: Motion
     legs: Legs
+    wrist: Wrist | None = None
 
     def __post_init__(self) -> None:
-        """Refuse legs that are too few or too many."""
-        if self.leg_count != len(self.motion.coordinates):
+        """Refuse drives that are too few or too many."""
+        if self.drive_count != len(self.motion.coordinates):
             raise GeometryError(
                 f"the motion {self.motion.name} has {len(self.motion.coordinates)} coordinates "
-                f"and needs as many legs; given {self.leg_count}"
+                f"and needs as many legs; given {self.drive_count}"
             )
 
     @property
@@ -39,9 +45,47 @@ class Mechanism:
         return int(self.legs.drive.size)
 
     @property
+    def drive_count(self) -> int:
+        """How many drives there are: those of the legs, then the motors of the wrist."""
+        return self.leg_count + self._motor_count
+
+    @property
+    def _motor_count(self) -> int:
+        return 0 if self.wrist is None else len(self.wrist.gains)
+
+    @property
     def working_modes(self) -> list[WorkingMode]:
-        """All working modes, the signs of every leg, +1 before -1; a strut has no other than 1."""
-        return list(product(*((1,) if d == STRUT else (1, -1) for d in self.legs.drive)))
+        """All working modes, the signs of every drive, +1 before -1.
+
+        A strut has no other than 1, nor has a motor of the wrist.
+        """
+        branches = [(1,) if d == STRUT else (1, -1) for d in self.legs.drive]
+        return list(product(*branches, *[(1,)] * self._motor_count))
+
+    @property
+    def working_mode(self) -> WorkingMode:
+        """The signs of every drive in which the inverse problem is solved."""
+        return (*(int(sign) for sign in self.legs.working_mode), *(1,) * self._motor_count)
+
+    @property
+    def base_joints(self) -> Floats:
+        """Where the legs' base points really are, shape (legs, 3). [m]"""
+        return self.legs.base_point + self._joints
+
+    @property
+    def platform_joints(self) -> Floats:
+        """The legs' joints on what they carry, apart from each other as they really are. [m]"""
+        return self.legs.platform_point + self._joints
+
+    @property
+    def _joints(self) -> Floats:
+        return np.zeros((self.leg_count, 3)) if self.wrist is None else self.wrist.joints
+
+    @property
+    def carrier(self) -> "Mechanism":
+        """The translation of the wrist's centre, which the legs alone make."""
+        ends = np.zeros_like(self.legs.platform_point)
+        return Mechanism(TRANSLATION, self.legs._replace(platform_point=ends))
 
     @property
     def characteristic_length(self) -> float:
@@ -67,8 +111,9 @@ class Mechanism:
         WorkingModeError : there is no such working mode.
         """
         if tuple(signs) not in self.working_modes:
-            raise WorkingModeError(signs, self.leg_count)
-        return replace(self, legs=self.legs._replace(working_mode=np.array(signs, dtype=float)))
+            raise WorkingModeError(signs, self.drive_count)
+        own = np.array(signs[: self.leg_count], dtype=float)
+        return replace(self, legs=self.legs._replace(working_mode=own))
 
     def columns(self, poses: Floats) -> Floats:
         """Return poses, given one a row, as the contiguous columns that kernels take.

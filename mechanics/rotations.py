@@ -88,6 +88,19 @@ def wrapped(angles: Floats) -> Floats:
     return once
 
 
+def principal_angles(angles: Floats) -> Floats:
+    """Return the angles rx, ry, rz of the same rotations as `fixed_axis_angles` gives them. [rad]
+
+    Those that are in their ranges already stay as they are, bit for bit, also where ry is at its
+    ends.
+    """
+    rx, ry, rz = wrapped(angles)
+    over = np.abs(ry) > 0.5 * np.pi
+    beyond = np.where(over, np.pi, 0.0)
+    back = np.where(over, np.copysign(np.pi, ry) - ry, ry)
+    return np.stack([wrapped(rx + beyond), back, wrapped(rz + beyond)])
+
+
 def _angle_about(axis: Floats, rotations: Floats) -> Floats:
     r = rotations
     x, y, z = axis

@@ -17,9 +17,10 @@ class Singularities(NamedTuple):
     determinant : array, shape (poses,), of Jx as it is. [m to the number of turns]
     condition_number : array, shape (poses,), of Jx with turns measured at the characteristic
         length; infinite at a type 2 singularity.
-    type : array, shape (poses,): 0 none; 1 a leg stretched or folded (Jpsi = 0); 2 the platform
-        has an uncontrolled motion (det Jx = 0); 3 both; -1 a leg cannot reach.
-    pressure_angles : array, shape (legs, poses). [rad]
+    type : array, shape (poses,): 0 none; 1 a leg stretched or folded, or a wrist's axes aligned
+        (det Jpsi = 0); 2 the platform has an uncontrolled motion (det Jx = 0); 3 both; -1 a leg
+        cannot reach.
+    pressure_angles : array, shape (drives, poses). [rad]
     free_motion : array, shape (6, poses): unit twist that the braked drives allow, turns
         measured at the characteristic length; NaN unless of type 2 or 3.
     """

@@ -18,6 +18,6 @@ def joints(block: Configuration) -> Joints:
     """Return the joints of a block of poses: base joint A, elbow B and platform joint c."""
     legs = block.mechanism.legs
     spans = block.attachment[1]
-    base = legs.base_point[:, :, None] + 0.0 * spans
+    base = block.mechanism.base_joints[:, :, None] + 0.0 * spans
     platform = base + spans
     return Joints(base, platform - legs.rod_scale[:, None, None] * block.rods[0], platform)

@@ -42,17 +42,18 @@ def actuator_rates(block: Configuration, twists: Floats) -> Floats:
 
     Returns
     -------
-    array, shape (legs, poses)
-        NaN where the leg cannot reach or is stretched or folded (Jpsi = 0). [m/s or rad/s]
+    array, shape (drives, poses)
+        NaN where the leg cannot reach or is stretched or folded (Jpsi = 0), and of a wrist where
+        it cannot turn the platform every way. [m/s or rad/s]
 
     References
     ----------
     Laryushkin et al., 2019, doi:10.1134/S0235711919030106.
     """
     basis = block.mechanism.motion.twists
-    along = np.einsum("kjn,jn->kn", block.platform_jacobians, basis.T @ twists)
-    rates = block.rods[1]
-    driven: Floats = along / np.where(dead_drives(block), np.nan, rates)
+    rows, divisors = block.rate_rows
+    along = np.einsum("kjn,jn->kn", rows, basis.T @ twists)
+    driven: Floats = along / np.where(dead_drives(block), np.nan, divisors)
     return driven
 
 
@@ -78,32 +79,33 @@ def greatest_rates(block: Configuration, speed: Speed) -> Floats:
 
     Returns
     -------
-    array, shape (legs, poses)
-        Not below 0; infinite where the leg is stretched or folded (Jpsi = 0), NaN where it
-        cannot reach. [m/s or rad/s]
+    array, shape (drives, poses)
+        Not below 0; infinite where the drive cannot move the platform (Jpsi = 0), NaN where its
+        leg cannot reach. [m/s or rad/s]
     """
     translations = len(block.mechanism.motion.translations)
-    squares = block.platform_jacobians**2
+    rows, divisors = block.rate_rows
+    squares = rows**2
     linear = np.sqrt(np.sum(squares[:, :translations], axis=1))
     angular = np.sqrt(np.sum(squares[:, translations:], axis=1))
     dead = dead_drives(block)
-    levers = np.where(dead, 1.0, np.abs(block.rods[1]))
+    levers = np.where(dead, 1.0, np.abs(divisors))
     rates = (speed.linear * linear + speed.angular * angular) / levers
     greatest: Floats = np.where(dead, np.inf, rates)
     return greatest
 
 
 def platform_twists(block: Configuration, rates: Floats) -> Floats:
-    """Return the platform's twists J^-1 psi' under drive rates, shape (legs, poses).
+    """Return the platform's twists J^-1 psi' under drive rates, shape (drives, poses).
 
     Returns
     -------
     array, shape (6, poses)
         NaN where a leg cannot reach or det Jx = 0. [m/s, rad/s]
     """
-    adjugates, determinants = block.cofactors
-    along = block.rods[1] * rates
-    moved = np.einsum("kjn,kn->jn", adjugates, along)
+    columns, factors = block.twist_columns
+    determinants = block.determinants
+    moved = np.einsum("kjn,kn->jn", columns, factors * rates)
     twists: Floats = block.mechanism.motion.twists @ (
         moved / np.where(determinants == 0.0, np.nan, determinants)
     )
@@ -116,7 +118,7 @@ def passive_rates(block: Configuration, twists: Floats, rates: Floats) -> list[F
     Parameters
     ----------
     twists : array, shape (6, poses), of the platform.
-    rates : array, shape (legs, poses), of the drives.
+    rates : array, shape (drives, poses).
 
     Returns
     -------
@@ -134,7 +136,9 @@ def passive_rates(block: Configuration, twists: Floats, rates: Floats) -> list[F
         STRUT_JOINTS: _strut_rates,
         ARC_JOINTS: _arc_rates,
     }
-    joints = block.mechanism.legs.joints
+    joints, wrist = block.mechanism.legs.joints, block.mechanism.wrist
+    if wrist is not None:
+        twists = wrist.carried_twists(block.placement[1], twists)
     return [
         turning[int(joints[k])](block, k, twists, rates[k])
         for k in range(block.mechanism.leg_count)

@@ -10,7 +10,7 @@ from schemas.forward_kinematics import (
     ForwardKinematicsRequest,
     ForwardKinematicsResult,
 )
-from schemas.friction_torque import FrictionTorqueRequest, FrictionTorqueResult
+from schemas.friction_torque import FrictionTorqueRequest, FrictionTorqueResult, MotorTorqueResult
 from schemas.inverse_kinematics import (
     InverseKinematicsAllModesResult,
     InverseKinematicsRequest,
@@ -41,6 +41,7 @@ AnalysisResult = (
     | SingularityResult
     | WorkspaceResult
     | FrictionTorqueResult
+    | MotorTorqueResult
 )
 
 _REQUESTS: TypeAdapter[Request] = TypeAdapter(AnalysisRequest)

@@ -76,6 +76,6 @@ class Custom(LeggedMechanism, _LegList):
     kind: Literal["custom"]
 
     @classmethod
-    def count_legs(cls, data: Mapping[str, Any]) -> int:
+    def count_drives(cls, data: Mapping[str, Any]) -> int:
         """Return how many legs are listed; 0 where the list itself is invalid."""
         return len(data.get("legs", ()))

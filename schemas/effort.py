@@ -118,7 +118,7 @@ class EffortRequest(Model):
 
 
 class EffortResult(Model):
-    """Efforts of the drives, shape (poses, legs); null rows where there is none."""
+    """Efforts of the drives, shape (poses, drives); null rows where there is none."""
 
     analysis: Literal["effort"]
     working_mode: WorkingMode
@@ -127,11 +127,11 @@ class EffortResult(Model):
         description="Greatest effort, not below 0, with load; signed with known_load alone."
     )
     worst_force: list[list[list[float] | None]] | None = Field(
-        description="Shape (poses, legs, 3): the force that asks most of the drive; null "
+        description="Shape (poses, drives, 3): the force that asks most of the drive; null "
         "without load. [N]"
     )
     worst_moment: list[list[list[float] | None]] | None = Field(
-        description="Shape (poses, legs, 3): the moment that asks most of the drive; null "
+        description="Shape (poses, drives, 3): the moment that asks most of the drive; null "
         "without load. [N m]"
     )
     obstacles: list[Obstacle]

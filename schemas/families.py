@@ -14,7 +14,7 @@ class FiveBar(LeggedMechanism):
     Base joints at (-base_distance/2, 0) and (base_distance/2, 0); cranks turn about +z from +x.
     """
 
-    leg_count = 2
+    drive_count = 2
     default_working_mode = (1, -1)
 
     kind: Literal["five_bar"]
@@ -30,7 +30,7 @@ class Planar3RRR(LeggedMechanism):
     platform's likewise at phi = 0; cranks turn about +z from +x.
     """
 
-    leg_count = 3
+    drive_count = 3
 
     kind: Literal["planar_3rrr"]
     base_side: Length = Field(description="Side of the base triangle. [m]")
@@ -46,7 +46,7 @@ class Translational3RRRR(LeggedMechanism):
     that about z through (1, 0, 0); a crank of angle 0 points along the axis after its own.
     """
 
-    leg_count = 3
+    drive_count = 3
 
     kind: Literal["translational_3rrrr"]
     link_length: Length = Field(description="Of every crank and every rod. [m]")
@@ -60,7 +60,7 @@ class DeltaRotary(LeggedMechanism):
     mode 1 has the knees out.
     """
 
-    leg_count = 3
+    drive_count = 3
 
     kind: Literal["delta_rotary"]
     base_radius: Length = Field(description="Of the crank axes. [m]")
@@ -69,32 +69,25 @@ class DeltaRotary(LeggedMechanism):
     rod_length: Length = Field(description="[m]")
 
 
-class _UprightRails(LeggedMechanism):
-    leg_count = 3
+class UprightRails(LeggedMechanism):
+    """Three upright rails at 90, 210 and 330 degrees, and rods to one body."""
 
     rail_radius: Length = Field(description="Circle of the rails. [m]")
     platform_radius: Length = Field(description="Circle of the platform's joints. [m]")
     rod_length: Length = Field(description="[m]")
     carriage_arm: Size = Field(description="From a rail inward to the carriage's joint. [m]")
-    tool_offset: Finite = Field(description="Of the tool's point below the joints. [m]")
 
 
-class DeltaLinear(_UprightRails):
+class DeltaLinear(UprightRails):
     """The Delta on upright rails at 90, 210 and 330 degrees: three translations.
 
     A drive's coordinate is its carriage's height; working mode 1 has the carriages above.
     """
 
+    drive_count = 3
+
     kind: Literal["delta_linear"]
-
-
-class GearedDecoupled(_UprightRails):
-    """The translation of the geared decoupled mechanism: upright rails at 90, 210, 330 degrees.
-
-    Working mode 1 takes the upper of a rail's two roots.
-    """
-
-    kind: Literal["geared_decoupled"]
+    tool_offset: Finite = Field(description="Of the tool's point below the joints. [m]")
 
 
 class DeltaLinear4Dof(LeggedMechanism):
@@ -104,7 +97,7 @@ class DeltaLinear4Dof(LeggedMechanism):
     (-rod_spacing/2, rail_y), parallelogram at (-rail_x, 0).
     """
 
-    leg_count = 4
+    drive_count = 4
 
     kind: Literal["delta_linear_4dof"]
     rail_x: Length = Field(description="Of the parallelograms' rails from the origin. [m]")
@@ -123,7 +116,7 @@ Points6 = Annotated[list[Vector], Field(min_length=6, max_length=6)]
 class GoughStewart(LeggedMechanism):
     """The 6-SPS hexapod: six telescopic struts between ball joints; drives are their lengths."""
 
-    leg_count = 6
+    drive_count = 6
 
     kind: Literal["gough_stewart"]
     base_points: Points6 = Field(description="[m]")
@@ -133,7 +126,7 @@ class GoughStewart(LeggedMechanism):
 class HexaLinear(LeggedMechanism):
     """The 6-PUS hexapod: rods of fixed length on carriages along six rails."""
 
-    leg_count = 6
+    drive_count = 6
 
     kind: Literal["hexa_linear"]
     base_points: Points6 = Field(description="The carriages' joints at drive coordinate 0. [m]")
@@ -145,7 +138,7 @@ class HexaLinear(LeggedMechanism):
 class HexaRotary(LeggedMechanism):
     """The 6-RUS hexapod: rods of fixed length on six cranks."""
 
-    leg_count = 6
+    drive_count = 6
 
     kind: Literal["hexa_rotary"]
     base_points: Points6 = Field(description="On the crank axes. [m]")
@@ -167,7 +160,7 @@ class Spherical3RRR(LeggedMechanism):
     its own frame; a crank of angle 0 leads its arc away from +z.
     """
 
-    leg_count = 3
+    drive_count = 3
 
     kind: Literal["spherical_3rrr"]
     proximal_arc: Arc = Field(description="From a base axis to the intermediate one. [rad]")

@@ -14,7 +14,7 @@ ActuatorRows = Annotated[
     Field(
         min_length=1,
         max_length=MOST_POSES,
-        description="One row a question, one drive coordinate per leg. Actuator limits are not "
+        description="One row a question, one drive coordinate per drive. Actuator limits are not "
         "applied. [rad, m]",
     ),
 ]

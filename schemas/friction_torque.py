@@ -1,26 +1,51 @@
 """`friction_torque`: what friction between the teeth of a gear train costs."""
 
-from typing import Literal
+from typing import Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from schemas.gears import Train
+from schemas.effort import KnownLoad, LoadSize, Vectors
+from schemas.gears import Mesh, Train
+from schemas.legged import WorkingMode
+from schemas.mechanisms import Mechanism
+from schemas.poses import Obstacle, Poses
 from schemas.quantities import Model, Size
 
 Contact = Literal["pitch", "approach_end", "recess_end", "worst", "mean", "explicit"]
 Sense = Literal["driving", "back_driving"]
 MOST_POINTS = 1_000
+OF_A_TRAIN = ("output_torque", "output_speed", "curve_points")
+OF_A_MECHANISM = ("poses", "load", "known_load", "angular_velocity", "working_mode")
 
 
 class FrictionTorqueRequest(Model):
-    """Ask for the torques along a train of meshes under a torque on its output.
+    """Ask for the torques along a train of meshes, or those of a mechanism's geared motors.
 
-    Torques are sizes: both flanks of a tooth are alike, so the direction of turning is free.
+    Of a `train` under an `output_torque` torques are sizes: both flanks of a tooth are alike, so
+    the direction of turning is free. Of a `mechanism` at `poses`, under a `load` or a `known_load`
+    as in `effort`, they have signs unless the load's direction is open.
     """
 
     analysis: Literal["friction_torque"]
-    train: Train
-    output_torque: Size = Field(description="Of the load on the output. [N m]")
+    train: Train | None = None
+    output_torque: Size | None = Field(
+        default=None, description="Of the load on a train's output. [N m]"
+    )
+    mechanism: Mechanism | None = Field(
+        default=None, description="In place of a train: geared_decoupled, with a train of its own."
+    )
+    poses: Poses | None = None
+    load: LoadSize | None = None
+    known_load: KnownLoad | None = None
+    angular_velocity: Vectors | None = Field(
+        default=None,
+        description="How the platform turns, for all poses or one row per pose: each motor then "
+        "has its own sense, driven back where its torque is against its rate. Not with a load of "
+        "open direction, against which every motor may drive. [rad/s]",
+    )
+    working_mode: WorkingMode | None = Field(
+        default=None, description="Of the mechanism; by default its own."
+    )
     contact: Contact = Field(
         description="Where the teeth of every mesh touch: `pitch`, the pitch point, without loss; "
         "`approach_end` and `recess_end`, where a pair of teeth meets and parts while the motor "
@@ -31,7 +56,8 @@ class FrictionTorqueRequest(Model):
     sense: Sense = Field(
         default="driving",
         description="Whether the motor drives the output against its load, or the load drives "
-        "the motor, which must then hold the input torque.",
+        "the motor, which must then hold the input torque. Of all motors of a mechanism, unless "
+        "angular_velocity says more.",
     )
     output_speed: Size | None = Field(
         default=None, description="Of the output, for sliding speeds and powers. [rad/s]"
@@ -43,6 +69,42 @@ class FrictionTorqueRequest(Model):
         strict=True,
         description="Answer the cycle of every mesh at about this many phases.",
     )
+
+    @model_validator(mode="after")
+    def _one_of_two(self) -> Self:
+        if (self.train is None) == (self.mechanism is None):
+            raise ValueError("give either train, with output_torque, or mechanism, with poses")
+        kind, needed, foreign = (
+            ("a mechanism", "poses", OF_A_TRAIN)
+            if self.train is None
+            else ("a train", "output_torque", OF_A_MECHANISM)
+        )
+        if getattr(self, needed) is None:
+            raise ValueError(f"{kind} needs {needed}")
+        given = [name for name in foreign if getattr(self, name) is not None]
+        if given:
+            raise ValueError(f"{kind} takes no {given[0]}")
+        if self.mechanism is not None:
+            self._check_load()
+        return self
+
+    @property
+    def meshes(self) -> list[Mesh]:
+        """The train that is asked about alone; none if a mechanism is."""
+        return self.train or []
+
+    @property
+    def load_torque(self) -> float:
+        """The torque on the output of that train; 0 if there is none. [N m]"""
+        return self.output_torque or 0.0
+
+    def _check_load(self) -> None:
+        if self.load is None and self.known_load is None:
+            raise ValueError("a mechanism needs load or known_load")
+        if self.load is not None and self.angular_velocity is not None:
+            raise ValueError(
+                "a load of open direction takes no angular_velocity: every motor may drive"
+            )
 
 
 class MeshGeometry(Model):
@@ -148,3 +210,45 @@ class FrictionTorqueResult(Model):
     power_loss: float | None = Field(description="Null without output_speed, or if locked. [W]")
     self_locking: bool = Field(description="Whether a mesh locks in this sense at this contact.")
     stages: list[GearStage] = Field(description="Mesh by mesh, from the output to the motor.")
+
+
+Torques = list[list[float | None]]
+Factors = list[float | None]
+
+
+class MotorTorqueResult(Model):
+    """Torques of the motors, columns D1, D2, D3; null where there is none.
+
+    Friction in a train multiplies what passes it, so a motor's torque is its frictionless one
+    times the factor of its train in its sense, and a load of open direction is worst in the same
+    direction as without friction. D3 turns the wrist itself, and is told without friction.
+    """
+
+    analysis: Literal["friction_torque"]
+    working_mode: WorkingMode
+    contact: Contact
+    torque: Torques = Field(
+        description="With friction, shape (poses, 3); null also where a train that the load would "
+        "have to drive back locks. Under load the greatest over its directions. [N m]"
+    )
+    frictionless_torque: Torques = Field(description="Without friction, likewise. [N m]")
+    sense: list[list[Sense]] = Field(
+        description="Whether each motor drives or is driven back, shape (poses, 3)."
+    )
+    driving_factor: Factors = Field(
+        description="Of each motor, torque over that without friction while it drives; null if its "
+        "train locks."
+    )
+    back_driving_factor: Factors = Field(description="The same while the load drives it back.")
+    self_locking: list[bool] = Field(
+        description="Of each motor, whether no load on the platform drives it back."
+    )
+    worst_force: list[list[list[float] | None]] | None = Field(
+        description="Shape (poses, 3, 3): the force that asks most of the motor; null without a "
+        "load. [N]"
+    )
+    worst_moment: list[list[list[float] | None]] | None = Field(
+        description="Shape (poses, 3, 3): the moment that asks most of the motor; null without a "
+        "load. [N m]"
+    )
+    obstacles: list[Obstacle]

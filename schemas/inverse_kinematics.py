@@ -1,13 +1,15 @@
 """`inverse_kinematics`: which drive positions hold a pose."""
 
-from typing import Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
-from schemas.legged import WorkingMode
+from schemas.legged import Vector, WorkingMode
 from schemas.mechanisms import Mechanism
-from schemas.poses import Obstacle, Poses
+from schemas.poses import MOST_POSES, Obstacle, Poses
 from schemas.quantities import Model
+
+Axes = Annotated[list[Vector], Field(min_length=2, max_length=2)]
 
 
 class InverseKinematicsRequest(Model):
@@ -16,6 +18,12 @@ class InverseKinematicsRequest(Model):
     analysis: Literal["inverse_kinematics"]
     mechanism: Mechanism
     poses: Poses
+    directions: Annotated[list[Axes], Field(min_length=1, max_length=MOST_POSES)] | None = Field(
+        default=None,
+        description="In place of rx, ry, rz, so that poses are positions only: the unit vectors of "
+        "the platform's x and y axes in the base frame, a pair a pose. Angles are then the usual "
+        "ones, rx and rz in (-pi, pi], ry in [-pi/2, pi/2].",
+    )
     working_mode: WorkingMode | Literal["all"] | None = Field(
         default=None, description='A branch; "all" for every one; by default the mechanism\'s own.'
     )
@@ -26,10 +34,10 @@ class InverseKinematicsResult(Model):
 
     analysis: Literal["inverse_kinematics"]
     working_mode: WorkingMode
-    units: list[str] = Field(description="Unit of each leg's drive coordinate.")
+    units: list[str] = Field(description="Unit of each drive's coordinate.")
     reachable: list[bool] = Field(description="All legs reach, within their actuator limits.")
     actuators: list[list[float | None]] = Field(
-        description="Shape (poses, legs); crank angles in (-pi, pi]; null where the leg cannot."
+        description="Shape (poses, drives); crank angles in (-pi, pi]; null where the leg cannot."
     )
     obstacles: list[Obstacle]
 

@@ -26,7 +26,7 @@ class Kind(Model):
     motion: str
     coordinates: list[str] = Field(description="In the order of a pose's numbers.")
     coordinate_units: list[str]
-    drives: list[str] = Field(description="Each leg's drive.")
+    drives: list[str] = Field(description="Those of the legs, then a wrist's motors.")
     analyses: list[str]
     json_schema: dict[str, Any] = Field(description="JSON Schema of the inline mechanism.")
     example: MechanismSpec

@@ -42,19 +42,19 @@ class ActuatorLimit(Model):
 class LeggedMechanism(Model):
     """What every inline mechanism may say. Lengths in m, angles in rad."""
 
-    leg_count: ClassVar[int]
+    drive_count: ClassVar[int]
     default_working_mode: ClassVar[tuple[Sign, ...]] = ()
 
     name: str | None = Field(default=None, max_length=200, description="A name for people.")
     actuator_limits: list[ActuatorLimit | None] | ActuatorLimit | None = Field(
         default=None,
         validate_default=True,
-        description="One for all drives, or a list with one (or null) per leg.",
+        description="One for all drives, or a list with one (or null) per drive.",
     )
     working_mode: WorkingMode | None = Field(
         default=None,
         validate_default=True,
-        description="The default branch of the inverse solution: 1 or -1 per leg.",
+        description="The default branch of the inverse solution: 1 or -1 per drive.",
     )
 
     # Both write out what was left to default, so that equal mechanisms have equal forms.
@@ -64,31 +64,31 @@ class LeggedMechanism(Model):
     def _one_limit_per_leg(
         cls, limits: list[ActuatorLimit | None] | ActuatorLimit | None, info: ValidationInfo
     ) -> list[ActuatorLimit | None]:
-        count = cls.count_legs(info.data)
+        count = cls.count_drives(info.data)
         if not isinstance(limits, list):
             limits = [limits] * count
         if len(limits) != count:
-            raise ValueError(f"a list must have {count} entries, one per leg")
+            raise ValueError(f"a list must have {count} entries, one per drive")
         return [None if limit == ActuatorLimit() else limit for limit in limits]
 
     @field_validator("working_mode", mode="after")
     @classmethod
     def _one_sign_per_leg(cls, mode: WorkingMode | None, info: ValidationInfo) -> WorkingMode:
-        count = cls.count_legs(info.data)
+        count = cls.count_drives(info.data)
         ones: WorkingMode = [1] * count
         signs = (list(cls.default_working_mode) or ones) if mode is None else mode
         if len(signs) != count:
-            raise ValueError(f"must have {count} signs, one per leg")
+            raise ValueError(f"must have {count} signs, one per drive")
         return signs
 
     @classmethod
-    def count_legs(cls, data: Mapping[str, Any]) -> int:
-        """Return how many legs a mechanism of these fields has."""
-        return cls.leg_count
+    def count_drives(cls, data: Mapping[str, Any]) -> int:
+        """Return how many drives a mechanism of these fields has."""
+        return cls.drive_count
 
     @property
     def limits(self) -> list[ActuatorLimit | None]:
-        """The limits of the drives, one per leg."""
+        """The limits of the drives."""
         return self.actuator_limits if isinstance(self.actuator_limits, list) else []
 
     @property

@@ -14,7 +14,6 @@ from schemas.families import (
     DeltaLinear4Dof,
     DeltaRotary,
     FiveBar,
-    GearedDecoupled,
     GoughStewart,
     HexaLinear,
     HexaRotary,
@@ -22,6 +21,7 @@ from schemas.families import (
     Spherical3RRR,
     Translational3RRRR,
 )
+from schemas.geared import GearedDecoupled
 from schemas.quantities import Model
 
 

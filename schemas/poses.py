@@ -23,10 +23,12 @@ class Obstacle(Model):
     """Why a pose is not held: the leg, what was measured and the limit that it breaks."""
 
     pose: int = Field(description="Row of the request's poses, from 0.")
-    leg: int | None = Field(description="The leg, from 0; null where all legs together fail.")
+    leg: int | None = Field(
+        description="The leg, from 0, or the motor, counted on; null where all together fail."
+    )
     reason: Literal["reach", "actuator_limits", "singularity"] = Field(
         description="reach: value is the rod that would be needed, limit the leg's own [m]; "
-        "actuator_limits: the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0."
+        "actuator_limits: the drive and its limit; singularity: det Jx, or the drive's Jpsi, is 0."
     )
     value: float | None
     limit: float | None

@@ -34,12 +34,13 @@ class SingularityResult(Model):
         description="Rms distance of the platform's joints from the reference point. [m]"
     )
     type: list[int | None] = Field(
-        description="0 regular; 1 a leg is stretched or folded; 2 the platform has an "
-        "uncontrolled motion; 3 both."
+        description="0 regular; 1 a leg is stretched or folded, or a wrist's axes align; 2 the "
+        "platform has an uncontrolled motion; 3 both."
     )
     pressure_angles: list[list[float | None]] = Field(
-        description="Shape (poses, legs), 0 to pi/2: between the velocity of the leg's joint on "
-        "the platform, all other drives braked, and the line of the rod's force. [rad]"
+        description="Shape (poses, drives), 0 to pi/2: between the velocity of the leg's joint on "
+        "the platform, all other drives braked, and the line of the rod's force; of a motor, "
+        "between the axis it turns the platform about and that of the moment it bears alone. [rad]"
     )
     free_motion: list[list[float] | None] = Field(
         description="The twist [v, w] that the platform can make with all drives braked, at types "

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from types import MappingProxyType
+from typing import Literal
 
 from schemas.custom import Custom, CustomLeg, StrutLeg
 from schemas.families import (
@@ -10,7 +11,6 @@ from schemas.families import (
     DeltaLinear4Dof,
     DeltaRotary,
     FiveBar,
-    GearedDecoupled,
     GoughStewart,
     HexaLinear,
     HexaRotary,
@@ -18,6 +18,8 @@ from schemas.families import (
     Spherical3RRR,
     Translational3RRRR,
 )
+from schemas.geared import GearedDecoupled, WristGears
+from schemas.gears import DesignMesh, Mesh, Wheel
 from schemas.mechanisms import InlineMechanism
 
 
@@ -25,6 +27,27 @@ def _around(radius: float, spread: float) -> list[list[float]]:
     """Return six points in pairs, `spread` to either side of 90, 210 and 330 degrees. [deg]"""
     angles = [math.radians(a + s) for a in (90, 210, 330) for s in (-spread, spread)]
     return [[radius * math.cos(a), radius * math.sin(a), 0.0] for a in angles]
+
+
+def _wrist_train() -> list[Mesh]:
+    """Return the meshes behind a motor of the geared mechanism; their speed ratios make k."""
+    pairs: list[tuple[Literal["bevel", "spur"], int, int]] = [
+        ("bevel", 40, 36),
+        ("bevel", 30, 30),
+        ("spur", 25, 29),
+        ("spur", 40, 30),
+    ]
+    return [
+        DesignMesh(
+            kind="design",
+            face=face,
+            module=0.0015,
+            input=Wheel(teeth=towards_motor),
+            output=Wheel(teeth=towards_platform),
+            friction_coefficient=0.1,
+        )
+        for face, towards_motor, towards_platform in pairs
+    ]
 
 
 def _planar_3rpr() -> Custom:
@@ -110,6 +133,8 @@ STARTERS: Mapping[str, InlineMechanism] = MappingProxyType(
             rod_length=0.37,
             carriage_arm=0.022,
             tool_offset=0.05,
+            wrist=WristGears(k1=0.9, k2=1.0, kp=0.87, k_gamma=1.4),
+            train=_wrist_train(),
         ),
         "custom": _planar_3rpr(),
     }

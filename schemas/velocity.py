@@ -25,7 +25,7 @@ class VelocityRequest(Model):
     )
     actuator_rates: (
         Annotated[list[list[Finite]], Field(min_length=1, max_length=MOST_POSES)] | None
-    ) = Field(default=None, description="One row per pose, one number per leg. [rad/s or m/s]")
+    ) = Field(default=None, description="One row per pose, one number per drive. [rad/s or m/s]")
     working_mode: WorkingMode | None = None
 
     @model_validator(mode="after")
@@ -42,13 +42,14 @@ class VelocityResult(Model):
     working_mode: WorkingMode
     units: list[str] = Field(description="Unit of each drive's rate.")
     platform_rates: list[list[float] | None] = Field(description="Shape (poses, 6). [m/s, rad/s]")
-    actuator_rates: list[list[float | None]] = Field(description="Shape (poses, legs).")
+    actuator_rates: list[list[float | None]] = Field(description="Shape (poses, drives).")
     passive_joints: list[list[str]] = Field(
         description="Names of each leg's passive joints: A at the base, B at the elbow (BA its "
         "first axis, fixed in the driven link, BC the second), C at the platform (CD undoes BA of "
         "a parallelogram; x, y, z are a ball's axes in the base frame), W and V of an arc."
     )
     passive_rates: list[list[list[float] | None]] = Field(
-        description="Shape (poses, legs, joints); relative rates about the joints' axes. [rad/s]"
+        description="Shape (poses, legs, joints); relative rates about the joints' axes. A wrist "
+        "adds none. [rad/s]"
     )
     obstacles: list[Obstacle]

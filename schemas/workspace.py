@@ -118,7 +118,8 @@ class Constructive(Model):
     platform_joint_axes: list[Direction] | None = Field(
         default=None,
         description="One per leg: the rod's direction, from base to platform, with that joint at "
-        "rest, in the platform's frame. Of any length but 0; no default.",
+        "rest, in the platform's frame, or under a wrist in that of what the rods carry, which "
+        "does not turn. Of any length but 0; no default.",
     )
     min_rod_distance: Length | None = Field(
         default=None,
@@ -151,7 +152,7 @@ class Effective(Model):
     )
     max_effort: Limit | list[Limit] | None = Field(
         default=None,
-        description="Greatest effort of any drive under load: one, or one per leg. [N m or N]",
+        description="Greatest effort of any drive under load: one, or one per drive. [N m or N]",
     )
     max_pressure_angle: Angle | None = Field(
         default=None,
@@ -167,7 +168,7 @@ class Effective(Model):
     max_actuator_speed: Limit | list[Limit] | None = Field(
         default=None,
         description="Greatest speed of any drive at platform_speed, which it needs: one, or one "
-        "per leg. [rad/s or m/s]",
+        "per drive. [rad/s or m/s]",
     )
     platform_speed: PlatformSpeed | None = Field(
         default=None,

@@ -1,4 +1,4 @@
-"""Actuator limits: every drive stays between its stops."""
+"""Actuator limits: every leg's drive stays between its stops."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ class ActuatorLimits(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its limits each drive is. [rad or m]"""
         margins = margin_between(self._nearest_turns(block), self._lower, self._upper)
-        unbounded = np.where(np.isnan(block.actuators), np.nan, np.inf)
+        unbounded = np.where(np.isnan(self._driven(block)), np.nan, np.inf)
         return np.where(self._free, unbounded, margins)
 
     def explain(self, block: Configuration) -> Breach:
@@ -49,7 +49,10 @@ class ActuatorLimits(Condition):
 
     def _nearest_turns(self, block: Configuration) -> Floats:
         """Return the turn of each angle that lies deepest inside, or least outside, its limits."""
-        values = block.actuators
+        values = self._driven(block)
         turns = np.where(self._turned, np.round((self._middle - values) / TURN), 0.0)
         turned: Floats = values + TURN * turns
         return turned
+
+    def _driven(self, block: Configuration) -> Floats:
+        return block.actuators[: len(self.legs)]

@@ -9,12 +9,12 @@ from mechanics.velocity import Speed, greatest_rates
 
 
 class ActuatorSpeed(Condition):
-    """The greatest rate of each drive is at most its limit, shape (legs,). [rad/s or m/s]"""
+    """The greatest rate of each drive is at most its limit, shape (drives,). [rad/s or m/s]"""
 
     reason = "actuator_speed"
 
     def __init__(self, mechanism: Mechanism, speed: Speed, limits: Floats) -> None:
-        self.legs = tuple(range(mechanism.leg_count))
+        self.legs = tuple(range(mechanism.drive_count))
         self._speed = speed
         self._limits = limits[:, None]
 

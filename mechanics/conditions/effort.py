@@ -11,13 +11,13 @@ from mechanics.mechanism import Mechanism
 
 
 class Effort(Condition):
-    """The greatest effort of each drive is at most its limit, shape (legs,). [N m or N]"""
+    """The greatest effort of each drive is at most its limit, shape (drives,). [N m or N]"""
 
     reason = "effort"
     fails_at_singularities = True
 
     def __init__(self, mechanism: Mechanism, load: Load, limits: Floats) -> None:
-        self.legs = tuple(range(mechanism.leg_count))
+        self.legs = tuple(range(mechanism.drive_count))
         self._load = load
         self._limits = limits[:, None]
 

@@ -15,7 +15,8 @@ class PlatformJointAngle(Condition):
     Parameters
     ----------
     axes : array, shape (legs, 3): the rods' directions, from base to platform, with the joints
-        at rest, in the platform's frame; of any length but 0.
+        at rest, in the frame of what the legs carry: the platform, or what holds its wrist and
+        does not turn; of any length but 0.
     limit : [rad]
     """
 
@@ -35,6 +36,8 @@ class PlatformJointAngle(Condition):
         return at_most(self._angles(block), self._limit)
 
     def _angles(self, block: Configuration) -> Floats:
+        if block.mechanism.wrist is not None:
+            return angles_between(block.rods[0], self._axes[:, :, None])
         rotations = block.placement[1].reshape(3, 3, -1)
         rest = np.einsum("jkn,lk->ljn", rotations, self._axes)
         return angles_between(block.rods[0], rest)

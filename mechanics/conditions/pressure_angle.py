@@ -14,7 +14,7 @@ class PressureAngle(Condition):
     fails_at_singularities = True
 
     def __init__(self, mechanism: Mechanism, limit: float) -> None:
-        self.legs = tuple(range(mechanism.leg_count))
+        self.legs = tuple(range(mechanism.drive_count))
         self._limit = limit
 
     def check(self, block: Configuration) -> Floats:

@@ -13,7 +13,7 @@ from mechanics.mechanism import Mechanism
 
 def rods_at_shared_joints(mechanism: Mechanism) -> list[tuple[int, int]]:
     """Return the pairs of legs whose rods end in one point of the platform."""
-    points = mechanism.legs.platform_point
+    points = mechanism.platform_joints
     scale = max(1e-9, float(np.max(np.abs(points))), float(mechanism.legs.rod_length.max()))
     return [
         (i, j)

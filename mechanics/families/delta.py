@@ -125,38 +125,6 @@ def delta_linear(
     return Mechanism(TRANSLATION, gather(legs, limits, working_mode))
 
 
-def geared_decoupled(
-    *,
-    rail_radius: float,
-    platform_radius: float,
-    rod_length: float,
-    carriage_arm: float,
-    tool_offset: float,
-    limits: Floats,
-    working_mode: Floats,
-) -> Mechanism:
-    """Return the translation of the geared decoupled mechanism: that of a Delta on rails.
-
-    Parameters
-    ----------
-    rail_radius, platform_radius, rod_length, carriage_arm, tool_offset : as `delta_linear`. [m]
-    limits, working_mode : arrays, shapes (3, 2) and (3,). [m, -]
-
-    References
-    ----------
-    Glazunov et al., 2022, doi:10.31857/S0235711922020043.
-    """
-    return delta_linear(
-        rail_radius=rail_radius,
-        platform_radius=platform_radius,
-        rod_length=rod_length,
-        carriage_arm=carriage_arm,
-        tool_offset=tool_offset,
-        limits=limits,
-        working_mode=working_mode,
-    )
-
-
 def delta_linear_4dof(
     *,
     rail_x: float,

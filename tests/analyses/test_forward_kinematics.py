@@ -8,7 +8,7 @@ import pytest
 
 import analyses
 from schemas.analyses import parse_request
-from tests.oracles.draws import DRAWS
+from tests.oracles.draws import DRAWS, EVERY
 
 FIVE_BAR = {"kind": "five_bar", "base_distance": 0.6, "crank_length": 0.5, "rod_length": 0.5}
 ASKED = {"analysis": "forward_kinematics", "mechanism": FIVE_BAR}
@@ -20,10 +20,10 @@ def answered(body: dict[str, Any]) -> dict[str, Any]:
     return analyses.answer(request).model_dump()
 
 
-@pytest.mark.parametrize("name", sorted(DRAWS))
+@pytest.mark.parametrize("name", sorted(EVERY))
 def test_a_pose_is_among_the_modes_of_its_drives(name: str) -> None:
     random = np.random.default_rng(8)
-    draw = DRAWS[name](random)
+    draw = EVERY[name](random)
     poses = random.uniform(draw.least, draw.most, (20, draw.least.size)).tolist()
     inverse = answered({"analysis": "inverse_kinematics", "mechanism": draw.wire, "poses": poses})
     held = [k for k, row in enumerate(inverse["actuators"]) if None not in row][:5]

@@ -154,7 +154,7 @@ def test_a_place_on_the_line_of_action_is_one_of_the_curve() -> None:
     mesh = SPUR | {"contact_position": 0.0005}
     explicit = answer(train=[mesh], contact="explicit")
     curve = answer(train=[mesh], curve_points=1000).stages[0].curve
-    (built,) = build_train(asked(train=[mesh]).train)
+    (built,) = build_train(asked(train=[mesh]).meshes)
     assert curve is not None
     assert built.base_pitch is not None
     phase = (built.approach + 0.0005) / built.base_pitch

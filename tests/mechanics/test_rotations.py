@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from mechanics.motions import PLANAR, PLANAR_TRANSLATION, SPATIAL, SPHERICAL, Motion, schoenflies
-from mechanics.rotations import about, coordinates, fixed_axis_angles, move, product, wrapped
+from mechanics.rotations import (
+    about,
+    coordinates,
+    fixed_axis_angles,
+    move,
+    principal_angles,
+    product,
+    wrapped,
+)
 from tests.oracles import legs
 
 TILTED = schoenflies(np.array([1.0, -2.0, 0.5]))
@@ -50,6 +58,18 @@ def test_a_step_turns_on_top_of_the_pose() -> None:
     expected = legs.about(step[3:] / angle, angle) @ before
     np.testing.assert_allclose(moved[:3, 0], pose[:3] + step[:3], atol=1e-15)
     np.testing.assert_allclose(after[:, 0], expected.ravel(), atol=1e-15)
+
+
+def test_principal_angles_are_those_of_the_rotation() -> None:
+    random = np.random.default_rng(1)
+    angles = random.uniform(-12.0, 12.0, (3, 500))
+    _, rotations = SPHERICAL.place(angles)
+    np.testing.assert_allclose(principal_angles(angles), fixed_axis_angles(rotations), atol=1e-12)
+
+
+def test_principal_angles_are_left_as_they_are() -> None:
+    angles = np.array([[np.pi, -0.1, 3.1], [0.5 * np.pi, -0.5 * np.pi, 0.2], [0.3, np.pi, -3.0]])
+    assert np.array_equal(principal_angles(angles), angles)
 
 
 def test_angles_of_one_turn() -> None:

@@ -76,7 +76,12 @@ def delta_linear(random: Random) -> Draw:
 
 
 def geared_decoupled(random: Random) -> Draw:
-    return _upright(random, "geared_decoupled")
+    """Return three rails under a wrist; the tool's point is aside of its centre, either way."""
+    wire = _upright(random, "geared_decoupled").wire
+    wire["working_mode"] += [1, 1, 1]
+    wire["tool_offset"] *= float(random.choice([-1.0, 1.0]))
+    wire["wrist"] = lengths(random, k1=0.9, k2=1.1, kp=0.8, k_gamma=1.4)
+    return Draw(wire, *both(0.15, 0.15, 0.3, 3.1, 1.5, 3.1))
 
 
 def delta_linear_4dof(random: Random) -> Draw:
@@ -199,7 +204,6 @@ DRAWS: Mapping[str, Callable[[Random], Draw]] = MappingProxyType(
             gough_stewart,
             hexa_rotary,
             spherical_3rrr,
-            geared_decoupled,
             custom_planar,
             custom_planar_translation,
             custom_translation,
@@ -209,3 +213,10 @@ DRAWS: Mapping[str, Callable[[Random], Draw]] = MappingProxyType(
         )
     }
 )
+
+WRISTED: Mapping[str, Callable[[Random], Draw]] = MappingProxyType(
+    {"geared_decoupled": geared_decoupled}
+)
+"""Those whose platform is turned by motors, not by legs."""
+
+EVERY: Mapping[str, Callable[[Random], Draw]] = MappingProxyType({**DRAWS, **WRISTED})

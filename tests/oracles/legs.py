@@ -236,7 +236,6 @@ def read(document: Mapping[str, Any]) -> Machine:
         "translational_3rrrr": ("translation", _translational_3rrrr),
         "delta_rotary": ("translation", _delta_rotary),
         "delta_linear": ("translation", _upright_rails),
-        "geared_decoupled": ("translation", _upright_rails),
         "delta_linear_4dof": ("schoenflies", _delta_linear_4dof),
         "hexa_linear": ("spatial", _hexa_linear),
         "gough_stewart": ("spatial", _gough_stewart),

@@ -153,6 +153,11 @@ def _delta_linear(wire: Wire, pairs: float) -> Machine:
     return Machine("translation", legs, NOWHERE, pairs)
 
 
+def _geared_decoupled(wire: Wire, pairs: float) -> Machine:
+    """Return what the rails carry, about the wrist's centre; motors are not among the bodies."""
+    return _delta_linear({**wire, "tool_offset": 0.0}, pairs)
+
+
 def _delta_linear_4dof(wire: Wire, pairs: float) -> Machine:
     length, above = wire["rod_length"], wire["tool_offset"] * Z
     inward = wire["carriage_arm"]
@@ -237,7 +242,7 @@ FAMILIES: Mapping[str, Callable[[Wire, float], Machine]] = MappingProxyType(
         "translational_3rrrr": _translational_3rrrr,
         "delta_rotary": _delta_rotary,
         "delta_linear": _delta_linear,
-        "geared_decoupled": _delta_linear,
+        "geared_decoupled": _geared_decoupled,
         "delta_linear_4dof": _delta_linear_4dof,
         "gough_stewart": _gough_stewart,
         "hexa_linear": _hexa_linear,

@@ -330,9 +330,9 @@ def _on_rails(draw: Draw, document: Document, pose: tuple[float, ...]) -> Case:
 
 
 @st.composite
-def upright_deltas(draw: Draw, kind: str) -> Case:
+def upright_deltas(draw: Draw) -> Case:
     document: Document = {
-        "kind": kind,
+        "kind": "delta_linear",
         "rail_radius": draw(numbers(0.1, 1.0)),
         "platform_radius": draw(numbers(0.02, 0.5)),
         "carriage_arm": draw(numbers(0.0, 0.1)),
@@ -437,8 +437,7 @@ FAMILIES: Mapping[str, Callable[[], st.SearchStrategy[Case]]] = {
     "planar_3rrr": planar_3rrrs,
     "translational_3rrrr": translational_3rrrrs,
     "delta_rotary": delta_rotaries,
-    "delta_linear": lambda: upright_deltas("delta_linear"),
-    "geared_decoupled": lambda: upright_deltas("geared_decoupled"),
+    "delta_linear": upright_deltas,
     "delta_linear_4dof": delta_linear_4dofs,
     "hexa_linear": hexa_linears,
     "gough_stewart": gough_stewarts,

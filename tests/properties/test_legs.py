@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from mechanics.configuration import Configuration
 from schemas.mechanisms import KINDS
 from tests.oracles import legs
+from tests.oracles.draws import WRISTED
 from tests.oracles.legs import Floats
 from tests.properties.mechanisms import (
     FAMILIES,
@@ -193,4 +194,5 @@ def test_struts_measure_the_distance(motion: str, data: st.DataObject) -> None:
 
 
 def test_every_kind_of_the_wire_is_drawn() -> None:
-    assert {*FAMILIES, "custom"} == set(KINDS)
+    """A platform that motors turn is no matter of legs alone: see `test_wrists`."""
+    assert {*FAMILIES, *WRISTED, "custom"} == set(KINDS)

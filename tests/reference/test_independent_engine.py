@@ -42,7 +42,6 @@ PAIRED = (
     "delta_rotary",
     "delta_linear",
     "delta_linear_4dof",
-    "geared_decoupled",
 )
 HALF_WIDTH = 0.04
 

@@ -280,9 +280,53 @@ def test_upright_rates() -> None:
     np.testing.assert_allclose(rates, PRINTED_UPRIGHT_RATES, atol=7e-4)
 
 
+TOOL = 0.05
+GEARED = {
+    "kind": "geared_decoupled",
+    "rail_radius": OFFSET + 0.1,
+    "carriage_arm": 0.02,
+    "platform_radius": 0.08,
+    "rod_length": ROD,
+    "tool_offset": TOOL,
+    "wrist": {"k1": 0.9, "k2": 1.0, "kp": 0.87, "k_gamma": 1.4},
+}
+"""Rails in the same places, in the family's own order of legs, and k = 0.783."""
+
+AHEAD = [TOOL, 0.0, 0.0, 0.0, 0.0, 0.0]
+"""The wrist's centre in the origin, the platform not turned."""
+
+
 def test_geared_decoupled_has_the_rates_of_its_rails() -> None:
-    """The family's rails in the same places, in its own order of legs: 90, 210, 330 degrees."""
-    sizes = {"rail_radius": OFFSET + 0.1, "carriage_arm": 0.02, "platform_radius": 0.08}
-    wire = {"kind": "geared_decoupled", **sizes, "rod_length": ROD, "tool_offset": 0.05}
-    expected = upright_rates(upright_rails(0.0))
-    np.testing.assert_allclose(upright_rates(wire), expected[[1, 2, 0]], atol=1e-12)
+    twist = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0]
+    result = ask("velocity", GEARED, [AHEAD], platform_rates=[twist])
+    expected = upright_rates(upright_rails(0.0))[[1, 2, 0]]
+    np.testing.assert_allclose(result.actuator_rates[0][:3], expected, atol=1e-12)
+    assert result.actuator_rates[0][3:] == [0.0, 0.0, 0.0]
+
+
+def test_the_wrists_rates() -> None:
+    """Printed 1.4, 2.966 and 1 in size for 1 rad/s about each axis.
+
+    The paper's minus signs are a leftover of its Jx x' = -Jq q'.
+    """
+    arm = np.cross([1.0, 1.0, 1.0], [TOOL, 0.0, 0.0])
+    twist = [*arm.tolist(), 1.0, 1.0, 1.0]
+    result = ask("velocity", GEARED, [AHEAD], platform_rates=[twist])
+    assert result.actuator_rates[0] == pytest.approx([0.0, 0.0, 0.0, 1.4, 2.966, 1.0], abs=1e-14)
+
+
+def test_the_wrists_motors() -> None:
+    """D1 = k (rx - ry) + kg rz, D2 = k (rx + ry) + kg rz and D3 = rz; rails do not feel angles."""
+    turned = np.array([0.3, -0.2, 0.5])
+    tip = turn(Z, 0.5) @ turn(Y, -0.2) @ np.array([TOOL, 0.0, 0.0])
+    result = ask("inverse_kinematics", GEARED, [[*tip.tolist(), *turned.tolist()], AHEAD])
+    expected = [0.783 * 0.5 + 0.7, 0.783 * 0.1 + 0.7, 0.5]
+    assert result.actuators[0][3:] == pytest.approx(expected, abs=1e-15)
+    assert result.actuators[0][:3] == pytest.approx(result.actuators[1][:3], abs=1e-15)
+
+
+def test_a_moment_through_the_wrist() -> None:
+    """-J^-T M by hand: 50 N m about x over 2 k = 1.566 twice, and what D3 holds against both."""
+    result = ask("effort", GEARED, [AHEAD], known_load={"moment": [50.0, 0.0, 0.0]})
+    expected = [0.0, 0.0, 0.0, -31.93, -31.93, 89.40]
+    assert result.effort[0] == pytest.approx(expected, abs=5e-3)

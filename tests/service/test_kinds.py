@@ -73,6 +73,7 @@ def test_a_kind_offers_every_analysis(refusing: Service, kind: str) -> None:
         "effort",
         "singularity",
         "workspace",
+        *(["friction_torque"] if kind == "geared_decoupled" else []),
     ]
 
 

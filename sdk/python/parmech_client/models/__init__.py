@@ -43,6 +43,7 @@ from .forward_kinematics_result import ForwardKinematicsResult
 from .friction_torque_request import FrictionTorqueRequest
 from .friction_torque_request_contact import FrictionTorqueRequestContact
 from .friction_torque_request_sense import FrictionTorqueRequestSense
+from .friction_torque_request_working_mode_type_0_item import FrictionTorqueRequestWorkingModeType0Item
 from .friction_torque_result import FrictionTorqueResult
 from .friction_torque_result_contact import FrictionTorqueResultContact
 from .friction_torque_result_sense import FrictionTorqueResultSense
@@ -91,6 +92,10 @@ from .measure import Measure
 from .mechanism_page import MechanismPage
 from .mesh_curve import MeshCurve
 from .mesh_geometry import MeshGeometry
+from .motor_torque_result import MotorTorqueResult
+from .motor_torque_result_contact import MotorTorqueResultContact
+from .motor_torque_result_sense_item_item import MotorTorqueResultSenseItemItem
+from .motor_torque_result_working_mode_item import MotorTorqueResultWorkingModeItem
 from .obstacle import Obstacle
 from .obstacle_in_mode import ObstacleInMode
 from .obstacle_in_mode_reason import ObstacleInModeReason
@@ -136,6 +141,7 @@ from .workspace_result_class import WorkspaceResultClass
 from .workspace_result_fields import WorkspaceResultFields
 from .workspace_result_type import WorkspaceResultType
 from .workspace_result_working_mode_type_0_item import WorkspaceResultWorkingModeType0Item
+from .wrist_gears import WristGears
 
 __all__ = (
     "ActuatorLimit",
@@ -181,6 +187,7 @@ __all__ = (
     "FrictionTorqueRequest",
     "FrictionTorqueRequestContact",
     "FrictionTorqueRequestSense",
+    "FrictionTorqueRequestWorkingModeType0Item",
     "FrictionTorqueResult",
     "FrictionTorqueResultContact",
     "FrictionTorqueResultSense",
@@ -227,6 +234,10 @@ __all__ = (
     "MechanismPage",
     "MeshCurve",
     "MeshGeometry",
+    "MotorTorqueResult",
+    "MotorTorqueResultContact",
+    "MotorTorqueResultSenseItemItem",
+    "MotorTorqueResultWorkingModeItem",
     "Obstacle",
     "ObstacleInMode",
     "ObstacleInModeReason",
@@ -272,4 +283,5 @@ __all__ = (
     "WorkspaceResultFields",
     "WorkspaceResultType",
     "WorkspaceResultWorkingModeType0Item",
+    "WristGears",
 )

@@ -29,7 +29,8 @@ class Constructive:
             their radii; for all pairs that share no joint. Of a parallelogram its middle line is meant; not for arcs. [m]
         min_rod_rod_angle (float | None | Unset): Angle between two rods at a shared joint of the platform. [rad]
         platform_joint_axes (list[list[float]] | None | Unset): One per leg: the rod's direction, from base to platform,
-            with that joint at rest, in the platform's frame. Of any length but 0; no default.
+            with that joint at rest, in the platform's frame, or under a wrist in that of what the rods carry, which does
+            not turn. Of any length but 0; no default.
     """
 
     base_joint_axes: list[list[float]] | None | Unset = UNSET

@@ -29,11 +29,11 @@ class Custom:
             always.
         motion (CustomMotion): Which coordinates the platform has.
         actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-            one (or null) per leg.
+            one (or null) per drive.
         axis (list[float] | None | Unset): Of the turn of a schoenflies motion.
         name (None | str | Unset): A name for people.
         working_mode (list[CustomWorkingModeType0Item] | None | Unset): The default branch of the inverse solution: 1 or
-            -1 per leg.
+            -1 per drive.
     """
 
     kind: Literal["custom"]

@@ -32,10 +32,10 @@ class DeltaLinear:
             rod_length (float): [m]
             tool_offset (float): Of the tool's point below the joints. [m]
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-                one (or null) per leg.
+                one (or null) per drive.
             name (None | str | Unset): A name for people.
             working_mode (list[DeltaLinearWorkingModeType0Item] | None | Unset): The default branch of the inverse solution:
-                1 or -1 per leg.
+                1 or -1 per drive.
     """
 
     carriage_arm: float

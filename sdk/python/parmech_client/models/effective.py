@@ -22,9 +22,9 @@ class Effective:
     Attributes:
         load (LoadSize | None | Unset): The load of max_effort and of the effort fields.
         max_actuator_speed (float | list[float] | None | Unset): Greatest speed of any drive at platform_speed, which it
-            needs: one, or one per leg. [rad/s or m/s]
+            needs: one, or one per drive. [rad/s or m/s]
         max_condition_number (float | None | Unset): Of Jx with turns measured at the characteristic length.
-        max_effort (float | list[float] | None | Unset): Greatest effort of any drive under load: one, or one per leg.
+        max_effort (float | list[float] | None | Unset): Greatest effort of any drive under load: one, or one per drive.
             [N m or N]
         max_pressure_angle (float | None | Unset): Between the velocity of each leg's joint on the platform, all other
             drives braked, and the line of its rod's force; never above pi/2. [rad]

@@ -16,7 +16,7 @@ T = TypeVar("T", bound="EffortResult")
 
 @_attrs_define
 class EffortResult:
-    """Efforts of the drives, shape (poses, legs); null rows where there is none.
+    """Efforts of the drives, shape (poses, drives); null rows where there is none.
 
     Attributes:
         analysis (Literal['effort']):
@@ -24,9 +24,9 @@ class EffortResult:
         obstacles (list[Obstacle]):
         units (list[str]): Unit of each drive's effort.
         working_mode (list[EffortResultWorkingModeItem]):
-        worst_force (list[list[list[float] | None]] | None): Shape (poses, legs, 3): the force that asks most of the
+        worst_force (list[list[list[float] | None]] | None): Shape (poses, drives, 3): the force that asks most of the
             drive; null without load. [N]
-        worst_moment (list[list[list[float] | None]] | None): Shape (poses, legs, 3): the moment that asks most of the
+        worst_moment (list[list[list[float] | None]] | None): Shape (poses, drives, 3): the moment that asks most of the
             drive; null without load. [N m]
     """
 

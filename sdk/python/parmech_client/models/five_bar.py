@@ -30,10 +30,10 @@ class FiveBar:
             kind (Literal['five_bar']):
             rod_length (float): [m]
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-                one (or null) per leg.
+                one (or null) per drive.
             name (None | str | Unset): A name for people.
             working_mode (list[FiveBarWorkingModeType0Item] | None | Unset): The default branch of the inverse solution: 1
-                or -1 per leg.
+                or -1 per drive.
     """
 
     base_distance: float

@@ -31,7 +31,7 @@ class ForwardKinematicsRequest:
     """Ask for the poses at drive positions: all of them, or the one reached from a guess.
 
     Attributes:
-        actuators (list[list[float]]): One row a question, one drive coordinate per leg. Actuator limits are not
+        actuators (list[list[float]]): One row a question, one drive coordinate per drive. Actuator limits are not
             applied. [rad, m]
         analysis (Literal['forward_kinematics']):
         mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |

@@ -27,10 +27,10 @@ class GoughStewart:
         kind (Literal['gough_stewart']):
         platform_points (list[list[float]]): In the platform's frame. [m]
         actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-            one (or null) per leg.
+            one (or null) per drive.
         name (None | str | Unset): A name for people.
         working_mode (list[GoughStewartWorkingModeType0Item] | None | Unset): The default branch of the inverse
-            solution: 1 or -1 per leg.
+            solution: 1 or -1 per drive.
     """
 
     base_points: list[list[float]]

@@ -29,10 +29,10 @@ class HexaLinear:
         rail_directions (list[list[float]]): Of any length but 0.
         rod_length (float): [m]
         actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-            one (or null) per leg.
+            one (or null) per drive.
         name (None | str | Unset): A name for people.
         working_mode (list[HexaLinearWorkingModeType0Item] | None | Unset): The default branch of the inverse solution:
-            1 or -1 per leg.
+            1 or -1 per drive.
     """
 
     base_points: list[list[float]]

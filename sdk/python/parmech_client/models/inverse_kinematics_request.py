@@ -39,6 +39,9 @@ class InverseKinematicsRequest:
         mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
             HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
         poses (list[list[float]]): One row a pose, in the order of the kind's coordinates. [m, rad]
+        directions (list[list[list[float]]] | None | Unset): In place of rx, ry, rz, so that poses are positions only:
+            the unit vectors of the platform's x and y axes in the base frame, a pair a pose. Angles are then the usual
+            ones, rx and rz in (-pi, pi], ry in [-pi/2, pi/2].
         working_mode (list[InverseKinematicsRequestWorkingModeType0Item] | Literal['all'] | None | Unset): A branch;
             "all" for every one; by default the mechanism's own.
     """
@@ -60,6 +63,7 @@ class InverseKinematicsRequest:
         | Translational3RRRR
     )
     poses: list[list[float]]
+    directions: list[list[list[float]]] | None | Unset = UNSET
     working_mode: list[InverseKinematicsRequestWorkingModeType0Item] | Literal["all"] | None | Unset = UNSET
 
     def to_dict(self) -> dict[str, Any]:
@@ -112,6 +116,23 @@ class InverseKinematicsRequest:
 
             poses.append(poses_item)
 
+        directions: list[list[list[float]]] | None | Unset
+        if isinstance(self.directions, Unset):
+            directions = UNSET
+        elif isinstance(self.directions, list):
+            directions = []
+            for directions_type_0_item_data in self.directions:
+                directions_type_0_item = []
+                for directions_type_0_item_item_data in directions_type_0_item_data:
+                    directions_type_0_item_item = directions_type_0_item_item_data
+
+                    directions_type_0_item.append(directions_type_0_item_item)
+
+                directions.append(directions_type_0_item)
+
+        else:
+            directions = self.directions
+
         working_mode: list[int] | Literal["all"] | None | Unset
         if isinstance(self.working_mode, Unset):
             working_mode = UNSET
@@ -133,6 +154,8 @@ class InverseKinematicsRequest:
                 "poses": poses,
             }
         )
+        if directions is not UNSET:
+            field_dict["directions"] = directions
         if working_mode is not UNSET:
             field_dict["working_mode"] = working_mode
 
@@ -287,6 +310,33 @@ class InverseKinematicsRequest:
 
             poses.append(poses_item)
 
+        def _parse_directions(data: object) -> list[list[list[float]]] | None | Unset:
+            if data is None:
+                return data
+            if isinstance(data, Unset):
+                return data
+            try:
+                if not isinstance(data, list):
+                    raise TypeError()
+                directions_type_0 = []
+                _directions_type_0 = data
+                for directions_type_0_item_data in _directions_type_0:
+                    directions_type_0_item = []
+                    _directions_type_0_item = directions_type_0_item_data
+                    for directions_type_0_item_item_data in _directions_type_0_item:
+                        directions_type_0_item_item = cast(list[float], directions_type_0_item_item_data)
+
+                        directions_type_0_item.append(directions_type_0_item_item)
+
+                    directions_type_0.append(directions_type_0_item)
+
+                return directions_type_0
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
+            return cast(list[list[list[float]]] | None | Unset, data)
+
+        directions = _parse_directions(d.pop("directions", UNSET))
+
         def _parse_working_mode(
             data: object,
         ) -> list[InverseKinematicsRequestWorkingModeType0Item] | Literal["all"] | None | Unset:
@@ -321,6 +371,7 @@ class InverseKinematicsRequest:
             analysis=analysis,
             mechanism=mechanism,
             poses=poses,
+            directions=directions,
             working_mode=working_mode,
         )
 

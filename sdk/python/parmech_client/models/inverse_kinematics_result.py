@@ -22,11 +22,12 @@ class InverseKinematicsResult:
     """Drive coordinates in one working mode.
 
     Attributes:
-        actuators (list[list[float | None]]): Shape (poses, legs); crank angles in (-pi, pi]; null where the leg cannot.
+        actuators (list[list[float | None]]): Shape (poses, drives); crank angles in (-pi, pi]; null where the leg
+            cannot.
         analysis (Literal['inverse_kinematics']):
         obstacles (list[Obstacle]):
         reachable (list[bool]): All legs reach, within their actuator limits.
-        units (list[str]): Unit of each leg's drive coordinate.
+        units (list[str]): Unit of each drive's coordinate.
         working_mode (list[InverseKinematicsResultWorkingModeItem]):
     """
 

@@ -33,7 +33,7 @@ class Kind:
         analyses (list[str]):
         coordinate_units (list[str]):
         coordinates (list[str]): In the order of a pose's numbers.
-        drives (list[str]): Each leg's drive.
+        drives (list[str]): Those of the legs, then a wrist's motors.
         example (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
             HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | Translational3RRRR):
         json_schema (KindJsonSchema): JSON Schema of the inline mechanism.

@@ -15,11 +15,11 @@ class Obstacle:
     """Why a pose is not held: the leg, what was measured and the limit that it breaks.
 
     Attributes:
-        leg (int | None): The leg, from 0; null where all legs together fail.
+        leg (int | None): The leg, from 0, or the motor, counted on; null where all together fail.
         limit (float | None):
         pose (int): Row of the request's poses, from 0.
         reason (ObstacleReason): reach: value is the rod that would be needed, limit the leg's own [m]; actuator_limits:
-            the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0.
+            the drive and its limit; singularity: det Jx, or the drive's Jpsi, is 0.
         value (float | None):
     """
 

@@ -15,12 +15,12 @@ class ObstacleInMode:
     """An obstacle in one of several working modes.
 
     Attributes:
-        leg (int | None): The leg, from 0; null where all legs together fail.
+        leg (int | None): The leg, from 0, or the motor, counted on; null where all together fail.
         limit (float | None):
         mode (int): Index into working_modes.
         pose (int): Row of the request's poses, from 0.
         reason (ObstacleInModeReason): reach: value is the rod that would be needed, limit the leg's own [m];
-            actuator_limits: the drive and its limit; singularity: det Jx, or the leg's Jpsi, is 0.
+            actuator_limits: the drive and its limit; singularity: det Jx, or the drive's Jpsi, is 0.
         value (float | None):
     """
 

@@ -31,10 +31,11 @@ class SingularityResult:
         free_motion (list[list[float] | None]): The twist [v, w] that the platform can make with all drives braked, at
             types 2 and 3; else null.
         obstacles (list[Obstacle]):
-        pressure_angles (list[list[float | None]]): Shape (poses, legs), 0 to pi/2: between the velocity of the leg's
-            joint on the platform, all other drives braked, and the line of the rod's force. [rad]
-        type_ (list[int | None]): 0 regular; 1 a leg is stretched or folded; 2 the platform has an uncontrolled motion;
-            3 both.
+        pressure_angles (list[list[float | None]]): Shape (poses, drives), 0 to pi/2: between the velocity of the leg's
+            joint on the platform, all other drives braked, and the line of the rod's force; of a motor, between the axis it
+            turns the platform about and that of the moment it bears alone. [rad]
+        type_ (list[int | None]): 0 regular; 1 a leg is stretched or folded, or a wrist's axes align; 2 the platform has
+            an uncontrolled motion; 3 both.
         working_mode (list[SingularityResultWorkingModeItem]):
     """
 

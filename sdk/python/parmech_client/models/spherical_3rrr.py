@@ -32,10 +32,10 @@ class Spherical3RRR:
             platform_cone (float): Half-angle of the platform axes' cone. [rad]
             proximal_arc (float): From a base axis to the intermediate one. [rad]
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-                one (or null) per leg.
+                one (or null) per drive.
             name (None | str | Unset): A name for people.
             working_mode (list[Spherical3RRRWorkingModeType0Item] | None | Unset): The default branch of the inverse
-                solution: 1 or -1 per leg.
+                solution: 1 or -1 per drive.
     """
 
     base_cone: float

@@ -30,10 +30,10 @@ class Translational3RRRR:
             kind (Literal['translational_3rrrr']):
             link_length (float): Of every crank and every rod. [m]
             actuator_limits (ActuatorLimit | list[ActuatorLimit | None] | None | Unset): One for all drives, or a list with
-                one (or null) per leg.
+                one (or null) per drive.
             name (None | str | Unset): A name for people.
             working_mode (list[Translational3RRRRWorkingModeType0Item] | None | Unset): The default branch of the inverse
-                solution: 1 or -1 per leg.
+                solution: 1 or -1 per drive.
     """
 
     base_radius: float

@@ -39,7 +39,7 @@ class VelocityRequest:
         mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
             HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
         poses (list[list[float]]): One row a pose, in the order of the kind's coordinates. [m, rad]
-        actuator_rates (list[list[float]] | None | Unset): One row per pose, one number per leg. [rad/s or m/s]
+        actuator_rates (list[list[float]] | None | Unset): One row per pose, one number per drive. [rad/s or m/s]
         platform_rates (list[list[float]] | None | Unset): [vx, vy, vz, wx, wy, wz] per pose: linear velocity of the
             reference point, angular velocity, in the base frame; 0 where the motion has none. [m/s, rad/s]
         working_mode (list[VelocityRequestWorkingModeType0Item] | None | Unset):

@@ -22,14 +22,14 @@ class VelocityResult:
     """Rates at each pose; null where there is none.
 
     Attributes:
-        actuator_rates (list[list[float | None]]): Shape (poses, legs).
+        actuator_rates (list[list[float | None]]): Shape (poses, drives).
         analysis (Literal['velocity']):
         obstacles (list[Obstacle]):
         passive_joints (list[list[str]]): Names of each leg's passive joints: A at the base, B at the elbow (BA its
             first axis, fixed in the driven link, BC the second), C at the platform (CD undoes BA of a parallelogram; x, y,
             z are a ball's axes in the base frame), W and V of an arc.
         passive_rates (list[list[list[float] | None]]): Shape (poses, legs, joints); relative rates about the joints'
-            axes. [rad/s]
+            axes. A wrist adds none. [rad/s]
         platform_rates (list[list[float] | None]): Shape (poses, 6). [m/s, rad/s]
         units (list[str]): Unit of each drive's rate.
         working_mode (list[VelocityResultWorkingModeItem]):

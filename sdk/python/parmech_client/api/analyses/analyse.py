@@ -16,6 +16,7 @@ from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllMo
 from ...models.inverse_kinematics_request import InverseKinematicsRequest
 from ...models.inverse_kinematics_result import InverseKinematicsResult
 from ...models.job import Job
+from ...models.motor_torque_result import MotorTorqueResult
 from ...models.problem import Problem
 from ...models.singularity_request import SingularityRequest
 from ...models.singularity_result import SingularityResult
@@ -80,6 +81,7 @@ def _parse_response(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -98,6 +100,7 @@ def _parse_response(
             | FrictionTorqueResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
+            | MotorTorqueResult
             | SingularityResult
             | VelocityResult
             | WorkspaceResult
@@ -166,11 +169,19 @@ def _parse_response(
                 return response_200_type_7
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_8 = FrictionTorqueResult.from_dict(data)
+
+                return response_200_type_8
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_8 = FrictionTorqueResult.from_dict(data)
+            response_200_type_9 = MotorTorqueResult.from_dict(data)
 
-            return response_200_type_8
+            return response_200_type_9
 
         response_200 = _parse_response_200(response.json())
 
@@ -221,6 +232,7 @@ def _build_response(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -254,6 +266,7 @@ def sync_detailed(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -275,7 +288,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -310,6 +323,7 @@ def sync(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -332,7 +346,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return sync_detailed(
@@ -362,6 +376,7 @@ async def asyncio_detailed(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -383,7 +398,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -416,6 +431,7 @@ async def asyncio(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -438,7 +454,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Job | Problem
     """
 
     return (

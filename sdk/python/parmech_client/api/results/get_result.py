@@ -12,6 +12,7 @@ from ...models.forward_kinematics_result import ForwardKinematicsResult
 from ...models.friction_torque_result import FrictionTorqueResult
 from ...models.inverse_kinematics_all_modes_result import InverseKinematicsAllModesResult
 from ...models.inverse_kinematics_result import InverseKinematicsResult
+from ...models.motor_torque_result import MotorTorqueResult
 from ...models.problem import Problem
 from ...models.singularity_result import SingularityResult
 from ...models.velocity_result import VelocityResult
@@ -42,6 +43,7 @@ def _parse_response(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -59,6 +61,7 @@ def _parse_response(
             | FrictionTorqueResult
             | InverseKinematicsAllModesResult
             | InverseKinematicsResult
+            | MotorTorqueResult
             | SingularityResult
             | VelocityResult
             | WorkspaceResult
@@ -127,11 +130,19 @@ def _parse_response(
                 return response_200_type_7
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
+            try:
+                if not isinstance(data, dict):
+                    raise TypeError()
+                response_200_type_8 = FrictionTorqueResult.from_dict(data)
+
+                return response_200_type_8
+            except (TypeError, ValueError, AttributeError, KeyError):
+                pass
             if not isinstance(data, dict):
                 raise TypeError()
-            response_200_type_8 = FrictionTorqueResult.from_dict(data)
+            response_200_type_9 = MotorTorqueResult.from_dict(data)
 
-            return response_200_type_8
+            return response_200_type_9
 
         response_200 = _parse_response_200(response.json())
 
@@ -177,6 +188,7 @@ def _build_response(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -201,6 +213,7 @@ def sync_detailed(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -218,7 +231,7 @@ def sync_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -243,6 +256,7 @@ def sync(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -261,7 +275,7 @@ def sync(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return sync_detailed(
@@ -281,6 +295,7 @@ async def asyncio_detailed(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -298,7 +313,7 @@ async def asyncio_detailed(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
+        Response[EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Problem]
     """
 
     kwargs = _get_kwargs(
@@ -321,6 +336,7 @@ async def asyncio(
     | FrictionTorqueResult
     | InverseKinematicsAllModesResult
     | InverseKinematicsResult
+    | MotorTorqueResult
     | SingularityResult
     | VelocityResult
     | WorkspaceResult
@@ -339,7 +355,7 @@ async def asyncio(
         httpx.TimeoutException: If the request takes longer than Client.timeout.
 
     Returns:
-        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
+        EffortResult | ForwardKinematicsGuessResult | ForwardKinematicsResult | FrictionTorqueResult | InverseKinematicsAllModesResult | InverseKinematicsResult | MotorTorqueResult | SingularityResult | VelocityResult | WorkspaceResult | Problem
     """
 
     return (

@@ -1,0 +1,35 @@
+"""Motor limits: every motor of a wrist stays between its stops."""
+
+import numpy as np
+
+from mechanics.arrays import Floats
+from mechanics.conditions.bounds import margin_between, nearest_bound
+from mechanics.conditions.condition import Breach, Condition
+from mechanics.configuration import Configuration
+from mechanics.mechanism import Mechanism
+
+
+class MotorLimits(Condition):
+    """Each motor of the wrist, if there is one, lies within its limits.
+
+    A motor turns more than once, so what it stands at is held against them as it is.
+    """
+
+    reason = "actuator_limits"
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        wrist = mechanism.wrist
+        self.legs = tuple(range(mechanism.leg_count, mechanism.drive_count))
+        self._lower = np.empty((0, 1)) if wrist is None else wrist.lower_limit[:, None]
+        self._upper = np.empty((0, 1)) if wrist is None else wrist.upper_limit[:, None]
+
+    def check(self, block: Configuration) -> Floats:
+        """Return how far inside its limits each motor is. [rad]"""
+        return margin_between(self._driven(block), self._lower, self._upper)
+
+    def explain(self, block: Configuration) -> Breach:
+        """Return the motors' coordinates, and the limits nearest to them. [rad]"""
+        return nearest_bound(self._driven(block), self._lower, self._upper)
+
+    def _driven(self, block: Configuration) -> Floats:
+        return block.actuators[block.mechanism.leg_count :]
