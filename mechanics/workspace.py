@@ -172,6 +172,8 @@ def _walk(
         )
         for first in (start, *range(start - start % line + stretch, stop, stretch))
     ]
+    if len(parts) == 1:
+        return parts[0]
     codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
     return codes, lengths
 

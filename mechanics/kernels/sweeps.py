@@ -85,8 +85,9 @@ def sweep(
     first = np.zeros(codes.size, np.int64)
     # Who is done with when anything of a whole turn is missing, whichever part of it.
     done = np.zeros(codes.size, np.bool_)
-    if ends[1] - ends[0] >= TURN:
-        done[:] = every
+    if ends[1] - ends[0] >= TURN and every:
+        done[:] = True
+    elif ends[1] - ends[0] >= TURN:
         find_lost(asked, bounds, legs, places, done)
     codes[:] = 0
     counts[:] = 1
