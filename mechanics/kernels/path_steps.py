@@ -12,7 +12,7 @@ from typing import NamedTuple
 from mechanics.arrays import Floats
 from mechanics.kernels.compiling import spliced
 from mechanics.kernels.platform_equations import COEFFICIENTS, at, newton_step
-from mechanics.kernels.rows import Five, square
+from mechanics.kernels.rows import Five, Six, square
 
 LANES = 8
 
@@ -36,8 +36,7 @@ COUNT = NORM + 1
 POLISHED = COUNT + 1
 OUTCOME = POLISHED + 1
 GOOD = OUTCOME + 1
-WEIGHTS = GOOD + 1
-ROWS = WEIGHTS + 6
+ROWS = GOOD + 1
 
 MOST_STEPS = 3000.0
 """A path of more steps creeps, however good they are, and is lost; most need a tenth of it."""
@@ -81,18 +80,30 @@ def predict(w: Floats) -> None:
         f, g, k = 1.0 / a, 1.0 / b, 1.0 / (b - a)
         # Lagrange's polynomials for the times 0, -a, -b, at h.
         p, q, r = (h + a) * (h + b) * f * g, -(h * (h + b)) * f * k, h * (h + a) * g * k
-        w[WEIGHTS, i] = (1.0 - 2.0 * (f + g) * h) * p * p
-        w[WEIGHTS + 1, i] = h * p * p
-        w[WEIGHTS + 2, i] = (1.0 - 2.0 * (k - f) * (h + a)) * q * q
-        w[WEIGHTS + 3, i] = (h + a) * q * q
-        w[WEIGHTS + 4, i] = (1.0 + 2.0 * (g + k) * (h + b)) * r * r
-        w[WEIGHTS + 5, i] = (h + b) * r * r
-    for n in range(10):
-        for i in range(LANES):
-            total = 0.0
-            for k in range(6):
-                total += w[WEIGHTS + k, i] * w[POINTS + 10 * k + n, i]
-            w[GUESS + n, i] = total
+        weights = (
+            (1.0 - 2.0 * (f + g) * h) * p * p,
+            h * p * p,
+            (1.0 - 2.0 * (k - f) * (h + a)) * q * q,
+            (h + a) * q * q,
+            (1.0 + 2.0 * (g + k) * (h + b)) * r * r,
+            (h + b) * r * r,
+        )
+        for n in range(10):
+            w[GUESS + n, i] = weighed(w, POINTS + n, i, weights)
+
+
+@spliced
+def weighed(w: Floats, row: int, i: int, weights: Six) -> float:
+    """Return the weighed sum of every tenth row, six of them from `row` on."""
+    total: float = (
+        weights[0] * w[row, i]
+        + weights[1] * w[row + 10, i]
+        + weights[2] * w[row + 20, i]
+        + weights[3] * w[row + 30, i]
+        + weights[4] * w[row + 40, i]
+        + weights[5] * w[row + 50, i]
+    )
+    return total
 
 
 @spliced
@@ -203,9 +214,9 @@ def outcome_of(w: Floats, i: int, rest: float, stuck: bool, patience: float) -> 
 @spliced
 def remember(w: Floats) -> None:
     """Make the guess the last point of each lane whose step counts."""
-    for n in range(10):
-        for i in range(LANES):
-            good = w[GOOD, i] > 0.5
+    for i in range(LANES):
+        good = w[GOOD, i] > 0.5
+        for n in range(10):
             for k in range(5, 1, -1):
                 row = POINTS + 10 * k + n
                 w[row, i] = w[row - 20, i] if good else w[row, i]
