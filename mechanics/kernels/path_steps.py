@@ -46,6 +46,15 @@ RUNNING, ARRIVED, SINGULAR, AT_INFINITY, LOST = 0, 1, 2, 3, 4
 EXACT = 1e-20
 """The square of a Newton step with which a path has arrived."""
 
+OVER = 1e-10
+"""No step is so short; what is left of a path is then none."""
+
+SMALL, NOTHING = 2.5e-3, 1e-10
+"""Squares of |h| / |e|^2, which is 1 at real modes, before and at the end of a path to h = 0."""
+
+ROUGH = 1e-18
+"""The square of a Newton step that may be rounding: near a multiple root there is as much."""
+
 
 class Pace(NamedTuple):
     """How large the steps are; the first Newton step is what is steered.
@@ -64,12 +73,11 @@ class Pace(NamedTuple):
     longest: float
     growth: float
     least: float
-    patience: float
     corrections: int = 2
 
 
-SWIFT = Pace(0.08, 0.08, 0.015, 0.02, 0.1, 0.3, 2.0, 1e-9, 120.0)
-CAREFUL = Pace(0.01, 0.01, 0.001, 0.001, 0.02, 0.1, 1.6, 1e-11, 300.0)
+SWIFT = Pace(0.08, 0.08, 0.015, 0.02, 0.1, 0.3, 2.0, 1e-9)
+CAREFUL = Pace(0.01, 0.01, 0.001, 0.001, 0.02, 0.1, 1.6, 1e-11)
 
 
 @spliced
@@ -164,7 +172,7 @@ def decide(w: Floats, pace: Pace) -> None:
         time, step = w[TIME, i], w[STEP, i]
         second, first = w[ERRORS, i], w[ERRORS + 1, i]
         resting, ending = step == 0.0, time == 1.0
-        near = second < max(pace.contraction**2 * first, EXACT)
+        near = second < max(pace.contraction**2 * first, ROUGH)
         near &= first < pace.widest**2
         good = resting | near
         first_step = pace.start / math.sqrt(w[SPEED, i])
@@ -173,11 +181,13 @@ def decide(w: Floats, pace: Pace) -> None:
         time = time + step if good else time
         rest = 1.0 - time
         next_step = rest if 1.02 * next_step > rest else next_step
-        over = rest <= 1e-10
+        over = rest <= OVER
         w[COUNT, i] += 1.0
         w[POLISHED, i] += 1.0 if ending else 0.0
         stuck = (not good) & (next_step < pace.least)
-        outcome = outcome_of(w, i, rest, stuck, pace.patience)
+        outcome = LOST if stuck | (w[COUNT, i] > MOST_STEPS) else RUNNING
+        outcome = AT_INFINITY if (not good) & at_infinity(w, i, rest) else outcome
+        outcome = SINGULAR if w[POLISHED, i] >= 6.0 else outcome
         w[OUTCOME, i] = ARRIVED if ending & (second < EXACT) else outcome
         moved = good & (not resting)
         w[FORMER + 1, i] = step + w[FORMER, i] if moved else w[FORMER + 1, i]
@@ -192,23 +202,28 @@ def growth(first: float, second: float, pace: Pace) -> float:
     """Return by what the next step is longer, from the squares of both Newton steps.
 
     A step's error grows with its sixth power; this takes the 16/3rd root, out of square roots.
+    Where the second is rounding it tells nothing of the path, which is then as straight as can be.
     """
     aim = min(pace.aim * first / math.sqrt(second), pace.most)
+    aim = pace.most if second < ROUGH else aim
     eighth = math.sqrt(math.sqrt(math.sqrt(aim / math.sqrt(first))))
     return min(max(eighth * math.sqrt(eighth), 0.4), pace.growth)
 
 
 @spliced
-def outcome_of(w: Floats, i: int, rest: float, stuck: bool, patience: float) -> int:
-    """Return what became of a lane's path that has not arrived.
+def at_infinity(w: Floats, i: int, rest: float) -> bool:
+    """Return whether a lane's path, whose step was refused, ends where h = 0: that is no pose.
 
-    At a real mode |h| is |e|^2: a path that comes so near h = 0 so late has none to reach.
+    Where joints coincide many end so, in multiple roots, to which they come no nearer than rounding
+    lets them: the last step, onto the root, would be refused again and again.
     """
-    infinite = (rest < 0.01) & (w[SIZE, i] < 2.5e-3 * w[NORM, i] * w[NORM, i])
-    outcome = (AT_INFINITY if infinite else LOST) if stuck else RUNNING
-    outcome = AT_INFINITY if infinite & (w[COUNT, i] > patience) else outcome
-    outcome = LOST if w[COUNT, i] > MOST_STEPS else outcome
-    return SINGULAR if w[POLISHED, i] >= 6.0 else outcome
+    x = point(w, POINTS, i)
+    norm = 1.0 + (square(x[0]) + square(x[1]) + square(x[2]))
+    before = square(1.0 + (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))
+    leads = (rest < 0.01) & (before < SMALL * norm * norm)
+    onto = (rest - w[STEP, i] <= OVER) & (w[SIZE, i] < NOTHING * w[NORM, i] * w[NORM, i])
+    ends: bool = leads & onto
+    return ends
 
 
 @spliced
