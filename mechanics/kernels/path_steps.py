@@ -186,7 +186,7 @@ def decide(w: Floats, pace: Pace) -> None:
         w[POLISHED, i] += 1.0 if ending else 0.0
         stuck = (not good) & (next_step < pace.least)
         outcome = LOST if stuck | (w[COUNT, i] > MOST_STEPS) else RUNNING
-        outcome = AT_INFINITY if (not good) & at_infinity(w, i, rest) else outcome
+        outcome = AT_INFINITY if (not good) & at_infinity(w, i, rest, stuck) else outcome
         outcome = SINGULAR if w[POLISHED, i] >= 6.0 else outcome
         w[OUTCOME, i] = ARRIVED if ending & (second < EXACT) else outcome
         moved = good & (not resting)
@@ -211,7 +211,7 @@ def growth(first: float, second: float, pace: Pace) -> float:
 
 
 @spliced
-def at_infinity(w: Floats, i: int, rest: float) -> bool:
+def at_infinity(w: Floats, i: int, rest: float, stuck: bool) -> bool:
     """Return whether a lane's path, whose step was refused, ends where h = 0: that is no pose.
 
     Where joints coincide many end so, in multiple roots, to which they come no nearer than rounding
@@ -222,7 +222,7 @@ def at_infinity(w: Floats, i: int, rest: float) -> bool:
     before = square(1.0 + (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))
     leads = (rest < 0.01) & (before < SMALL * norm * norm)
     onto = (rest - w[STEP, i] <= OVER) & (w[SIZE, i] < NOTHING * w[NORM, i] * w[NORM, i])
-    ends: bool = leads & onto
+    ends: bool = leads & (onto | stuck)
     return ends
 
 
