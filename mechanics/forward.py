@@ -10,18 +10,11 @@ from mechanics.assembly import spheres, spherical, tetrahedra, turning
 from mechanics.assembly.braked import BrakedLegs
 from mechanics.assembly.guess import STEPS, close_legs
 from mechanics.assembly.proposals import Proposals
-from mechanics.assembly.settling import Modes, describe, loose, settle
+from mechanics.assembly.settling import SINGULAR, Modes, describe, loose, settle
 from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
 from mechanics.mechanism import Mechanism, WorkingMode
 from mechanics.rotations import coordinates
-
-_BLOCK = 2048
-"""Rows answered together, so that memory does not grow with the request."""
-
-
-DOUBLE = 1e-6
-"""A determinant, turns measured at the characteristic length, that counts as 0."""
 
 IMPOSSIBLE = "impossible drives"
 """The route where drives cannot stand so: a strut of no length."""
@@ -85,10 +78,21 @@ def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
     ------
     ActuatorsError : `actuators` has another number of columns than there are legs.
     """
-    columns = _columns(mechanism, actuators)
-    found: list[Assembly] = []
-    for first in range(0, columns.shape[1], _BLOCK):
-        found += _block(mechanism, columns[:, first : first + _BLOCK])
+    legs = BrakedLegs(mechanism, _columns(mechanism, actuators))
+    possible = np.flatnonzero(legs.possible)
+    found = [Assembly((), IMPOSSIBLE, True)] * legs.actuators.shape[1]
+    if not possible.size:
+        return found
+    braked = legs.take(possible)
+    proposals = _proposals(braked)
+    modes = settle(braked, proposals)
+    certified = proposals.certified.copy()
+    certified[modes.cases[loose(braked, modes)]] = False
+    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
+    every = [_mode(modes, i) for i in range(modes.cases.size)]
+    for case, row in enumerate(possible):
+        own = tuple(every[bounds[case] : bounds[case + 1]])
+        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
     return found
 
 
@@ -138,7 +142,7 @@ def side(mechanism: Mechanism, determinant: float) -> int:
     Such a mode is known to about the root of rounding only, and so is its determinant.
     """
     lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
-    return int(np.sign(determinant)) if abs(determinant) > DOUBLE * lengths else 0
+    return int(np.sign(determinant)) if abs(determinant) > SINGULAR * lengths else 0
 
 
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
@@ -146,25 +150,6 @@ def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
     if rows.ndim != 2 or rows.shape[1] != mechanism.leg_count:
         raise ActuatorsError(rows.shape, mechanism.leg_count)
     return np.ascontiguousarray(rows.T)
-
-
-def _block(mechanism: Mechanism, columns: Floats) -> list[Assembly]:
-    legs = BrakedLegs(mechanism, columns)
-    possible = np.flatnonzero(legs.possible)
-    found = [Assembly((), IMPOSSIBLE, True)] * columns.shape[1]
-    if not possible.size:
-        return found
-    braked = legs.take(possible)
-    proposals = _proposals(braked)
-    modes = settle(braked, proposals)
-    certified = proposals.certified.copy()
-    certified[modes.cases[loose(braked, modes)]] = False
-    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
-    every = [_mode(modes, i) for i in range(modes.cases.size)]
-    for case, row in enumerate(possible):
-        own = tuple(every[bounds[case] : bounds[case + 1]])
-        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
-    return found
 
 
 def _mode(modes: Modes, i: int) -> AssemblyMode:
