@@ -14,7 +14,7 @@ from analyses.poses import check_rows
 from analyses.units import determinant_unit
 from mechanics.arrays import Floats
 from mechanics.forward import AssemblyMode as Mode
-from mechanics.forward import assembly_modes, nearby_modes, side
+from mechanics.forward import assembly_modes, nearby_modes, searched, side
 from mechanics.mechanism import Mechanism
 from schemas.forward_kinematics import (
     AssemblyMode,
@@ -34,6 +34,10 @@ SECONDS_ALL = {
     "spatial": 4e-3,
 }
 """Of all modes of a row, by motion. [s]"""
+SECONDS_SEARCHED = 5e-2
+"""Of all modes of a row that are searched from random poses. [s]"""
+LOOKED_AT = 32
+"""Rows looked at to tell how many will be."""
 SECONDS_FROM_GUESS = 3e-4
 MODES = {
     "planar_translation": 2,
@@ -71,7 +75,10 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the cost of a row. [s]"""
         if request.guess is not None:
             return SECONDS_FROM_GUESS
-        return SECONDS_ALL[build(request.mechanism).motion.name]
+        mechanism = build(request.mechanism)
+        some = request.actuators[:: max(1, len(request.actuators) // LOOKED_AT)]
+        share = float(np.mean(searched(mechanism, _rows(some))))
+        return SECONDS_ALL[mechanism.motion.name] + share * SECONDS_SEARCHED
 
     def result_bytes(self, request: ForwardKinematicsRequest) -> int:
         """Return the size of the modes in JSON, if there are as many as can be. [B]"""

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Booleans, Floats
 from mechanics.assembly import spheres, spherical, tetrahedra, turning
 from mechanics.assembly.braked import BrakedLegs
 from mechanics.assembly.guess import STEPS, close_legs
+from mechanics.assembly.normal_form import normal_form
 from mechanics.assembly.proposals import Proposals
+from mechanics.assembly.rods import Rods
 from mechanics.assembly.settling import SINGULAR, Modes, describe, loose, settle
 from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
@@ -133,6 +135,30 @@ def nearby_modes(
     for i, row in enumerate(possible):
         reached = bool(closed.converged[i])
         found[row] = NearbyMode(_mode(modes, i), reached, int(closed.iterations[i]))
+    return found
+
+
+def searched(mechanism: Mechanism, actuators: Floats) -> Booleans:
+    """Return at which rows modes can only be searched for, from random poses; shape (rows,).
+
+    So it is where six rods without structure join bodies that are affinely related.
+
+    Parameters
+    ----------
+    actuators : array, shape (rows, legs). [rad or m]
+
+    Raises
+    ------
+    ActuatorsError : `actuators` has another number of columns than there are legs.
+    """
+    legs = BrakedLegs(mechanism, _columns(mechanism, actuators))
+    found = np.zeros(legs.actuators.shape[1], dtype=bool)
+    if mechanism.motion.name == "spatial" and tetrahedra.structure_of(legs) is None:
+        starts, points = legs.rod_starts, mechanism.legs.platform_point
+        for row in np.flatnonzero(legs.possible):
+            start = np.ascontiguousarray(starts[:, :, row])
+            rods = Rods(start, points, np.ascontiguousarray(legs.rod_lengths[:, row]))
+            found[row] = normal_form(rods).affine
     return found
 
 

@@ -123,6 +123,19 @@ def test_a_singular_mode_is_there_once_and_on_no_side() -> None:
     assert found["assembly_modes"][0][0]["pose"] == pytest.approx([0.0, height], abs=1e-6)
 
 
+def test_similar_bodies_on_six_struts_are_priced_as_a_search() -> None:
+    random = np.random.default_rng(5)
+    base, platform = random.uniform(-1.0, 1.0, (2, 6, 3))
+    prices = []
+    for points in (platform, 0.5 * base):
+        spec = {"base_points": base.tolist(), "platform_points": points.tolist()}
+        mechanism = {"kind": "gough_stewart", **spec}
+        body = ASKED | {"mechanism": mechanism, "actuators": [[1.0] * 6] * 50}
+        request = parse_request(json.dumps(body))
+        prices.append(analyses.estimate(request, 0.5).seconds)
+    assert prices[1] > 5.0 * prices[0]
+
+
 @pytest.mark.parametrize(
     ("changes", "place"),
     [
