@@ -10,7 +10,7 @@ from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.errors import AnalysisError
 from analyses.mechanisms import build
-from analyses.poses import check_rows
+from analyses.poses import check_rows, drive_obstacles, obstacle_rows
 from analyses.units import determinant_unit
 from mechanics.arrays import Floats
 from mechanics.forward import AssemblyMode as Mode
@@ -23,6 +23,7 @@ from schemas.forward_kinematics import (
     ForwardKinematicsResult,
     Iteration,
 )
+from schemas.poses import Obstacle
 from schemas.quantities import Model
 
 SECONDS_ALL = {
@@ -94,13 +95,15 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
 
     def _all(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
         mechanism = build(request.mechanism)
-        found = assembly_modes(mechanism, _rows(request.actuators[start:stop]))
+        drives = _rows(request.actuators[start:stop])
+        found = assembly_modes(mechanism, drives)
         modes = [mode for one in found for mode in one.modes]
         return {
             "counts": np.array([len(one.modes) for one in found]),
             "routes": np.array([one.route for one in found], dtype="U32"),
             "certified": np.array([one.certified for one in found]),
             **_columns(mechanism, modes),
+            **drive_obstacles(mechanism, drives.T, start),
         }
 
     def _from_guess(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
@@ -114,6 +117,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
             "converged": np.array([one.converged for one in found]),
             "iterations": np.array([one.iterations for one in found]),
             **_columns(mechanism, [one.mode for one in found]),
+            **drive_obstacles(mechanism, drives.T, start),
         }
 
     def assemble(self, request: ForwardKinematicsRequest, stretches: Stretches) -> Model:
@@ -121,6 +125,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         arrays = joined(stretches())
         unit = determinant_unit(build(request.mechanism))
         modes = list(_modes(arrays))
+        obstacles = [Obstacle.model_construct(**row) for row in obstacle_rows(arrays)]
         if request.guess is not None:
             return ForwardKinematicsGuessResult.model_construct(
                 analysis=self.name,
@@ -130,6 +135,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
                     for mode, reached in zip(modes, arrays["converged"], strict=True)
                 ],
                 newton=list(_iterations(arrays)),
+                obstacles=obstacles,
             )
         ends = np.cumsum(arrays["counts"]).tolist()
         return ForwardKinematicsResult.model_construct(
@@ -138,6 +144,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
             assembly_modes=[modes[a:b] for a, b in zip([0, *ends[:-1]], ends, strict=True)],
             route=arrays["routes"].tolist(),
             certified=arrays["certified"].tolist(),
+            obstacles=obstacles,
         )
 
 

@@ -97,12 +97,31 @@ def obstacles(
         found.append(_singularities(block))
     if dead_drives:
         found.append(_dead_drives(block))
-    columns = [np.concatenate(parts) for parts in zip(*found, strict=True)]
+    return _in_order([np.concatenate(parts) for parts in zip(*found, strict=True)], start)
+
+
+def drive_obstacles(mechanism: Mechanism, actuators: Floats, start: int) -> Arrays:
+    """Return, like `obstacles`, the rows and legs whose given drive is beyond its limits.
+
+    `actuators` has a row a leg; `start` is added to the columns' numbers.
+    """
+    limits = ActuatorLimits(mechanism)
+    leg, row = np.nonzero(limits.margins(actuators) < 0.0)
+    nearest = limits.nearest(actuators)
+    reasons = np.full(row.size, REASONS.index(limits.reason))
+    return _in_order(
+        _entries(row, leg, reasons, nearest.value[leg, row], nearest.limit[leg, row]), start
+    )
+
+
+def _in_order(columns: Sequence[NDArray[Any]], start: int) -> Arrays:
+    """Return the arrays of `ITEM_ARRAYS` ordered by pose, with `start` added to it."""
     order = np.argsort(columns[0], kind="stable")
-    columns[0] = columns[0] + start
-    return {
+    found = {
         f"obstacle_{name}": column[order] for name, column in zip(ITEM_ARRAYS, columns, strict=True)
     }
+    found["obstacle_pose"] += start
+    return found
 
 
 def _breaches(block: Configuration, condition: Condition) -> tuple[NDArray[Any], ...]:

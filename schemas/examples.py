@@ -78,6 +78,7 @@ _FORWARD = Example(
         ],
         "route": ["closed form"],
         "certified": [True],
+        "obstacles": [],
     },
 )
 
