@@ -10,11 +10,11 @@ from analyses.analysis import Analysis, Arrays, Stretches, by_blocks, joined
 from analyses.columns import BYTES_PER_NUMBER, nullable
 from analyses.errors import AnalysisError
 from analyses.mechanisms import build
-from analyses.poses import check_rows
+from analyses.poses import check_rows, drive_obstacles, obstacle_rows
 from analyses.units import determinant_unit
 from mechanics.arrays import Floats
 from mechanics.forward import AssemblyMode as Mode
-from mechanics.forward import assembly_modes, nearby_modes, side
+from mechanics.forward import assembly_modes, nearby_modes, searched, side
 from mechanics.mechanism import Mechanism
 from schemas.forward_kinematics import (
     AssemblyMode,
@@ -23,6 +23,7 @@ from schemas.forward_kinematics import (
     ForwardKinematicsResult,
     Iteration,
 )
+from schemas.poses import Obstacle
 from schemas.quantities import Model
 
 SECONDS_ALL = {
@@ -34,6 +35,10 @@ SECONDS_ALL = {
     "spatial": 4e-3,
 }
 """Of all modes of a row, by motion. [s]"""
+SECONDS_SEARCHED = 5e-2
+"""Of all modes of a row that are searched from random poses. [s]"""
+LOOKED_AT = 32
+"""Rows looked at to tell how many will be."""
 SECONDS_FROM_GUESS = 3e-4
 MODES = {
     "planar_translation": 2,
@@ -71,7 +76,10 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the cost of a row. [s]"""
         if request.guess is not None:
             return SECONDS_FROM_GUESS
-        return SECONDS_ALL[_closed_by_legs(build(request.mechanism))]
+        mechanism = build(request.mechanism)
+        some = request.actuators[:: max(1, len(request.actuators) // LOOKED_AT)]
+        share = float(np.mean(searched(mechanism, _rows(some))))
+        return SECONDS_ALL[_closed_by_legs(mechanism)] + share * SECONDS_SEARCHED
 
     def result_bytes(self, request: ForwardKinematicsRequest) -> int:
         """Return the size of the modes in JSON, if there are as many as can be. [B]"""
@@ -87,13 +95,15 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
 
     def _all(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
         mechanism = build(request.mechanism)
-        found = assembly_modes(mechanism, _rows(request.actuators[start:stop]))
+        drives = _rows(request.actuators[start:stop])
+        found = assembly_modes(mechanism, drives)
         modes = [mode for one in found for mode in one.modes]
         return {
             "counts": np.array([len(one.modes) for one in found]),
             "routes": np.array([one.route for one in found], dtype="U32"),
             "certified": np.array([one.certified for one in found]),
             **_columns(mechanism, modes),
+            **drive_obstacles(mechanism, drives.T, start),
         }
 
     def _from_guess(self, request: ForwardKinematicsRequest, start: int, stop: int) -> Arrays:
@@ -107,6 +117,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
             "converged": np.array([one.converged for one in found]),
             "iterations": np.array([one.iterations for one in found]),
             **_columns(mechanism, [one.mode for one in found]),
+            **drive_obstacles(mechanism, drives.T, start),
         }
 
     def assemble(self, request: ForwardKinematicsRequest, stretches: Stretches) -> Model:
@@ -114,6 +125,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         arrays = joined(stretches())
         unit = determinant_unit(build(request.mechanism))
         modes = list(_modes(arrays))
+        obstacles = [Obstacle.model_construct(**row) for row in obstacle_rows(arrays)]
         if request.guess is not None:
             return ForwardKinematicsGuessResult.model_construct(
                 analysis=self.name,
@@ -123,6 +135,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
                     for mode, reached in zip(modes, arrays["converged"], strict=True)
                 ],
                 newton=list(_iterations(arrays)),
+                obstacles=obstacles,
             )
         ends = np.cumsum(arrays["counts"]).tolist()
         return ForwardKinematicsResult.model_construct(
@@ -131,6 +144,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
             assembly_modes=[modes[a:b] for a, b in zip([0, *ends[:-1]], ends, strict=True)],
             route=arrays["routes"].tolist(),
             certified=arrays["certified"].tolist(),
+            obstacles=obstacles,
         )
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from analyses.analysis import Arrays
 from analyses.errors import AnalysisError
-from mechanics.arrays import Booleans
+from mechanics.arrays import Booleans, Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import NO_LEG, Condition
 from mechanics.conditions.motor_limits import MotorLimits
@@ -105,12 +105,34 @@ def obstacles(
         found.append(_singularities(block))
     if dead_drives:
         found.append(_dead_drives(block))
-    columns = [np.concatenate(parts) for parts in zip(*found, strict=True)]
+    return _in_order([np.concatenate(parts) for parts in zip(*found, strict=True)], start)
+
+
+def drive_obstacles(mechanism: Mechanism, actuators: Floats, start: int) -> Arrays:
+    """Return, like `obstacles`, the rows and legs whose given drive is beyond its limits.
+
+    `actuators` has a row a drive; `start` is added to the columns' numbers.
+    """
+    found = []
+    for limits in (ActuatorLimits(mechanism), MotorLimits(mechanism)):
+        part, row = np.nonzero(limits.margins(actuators) < 0.0)
+        nearest = limits.nearest(actuators)
+        legs = np.array(limits.legs, dtype=int)[part]
+        reasons = np.full(row.size, REASONS.index(limits.reason))
+        found.append(
+            _entries(row, legs, reasons, nearest.value[part, row], nearest.limit[part, row])
+        )
+    return _in_order([np.concatenate(parts) for parts in zip(*found, strict=True)], start)
+
+
+def _in_order(columns: Sequence[NDArray[Any]], start: int) -> Arrays:
+    """Return the arrays of `ITEM_ARRAYS` ordered by pose, with `start` added to it."""
     order = np.argsort(columns[0], kind="stable")
-    columns[0] = columns[0] + start
-    return {
+    found = {
         f"obstacle_{name}": column[order] for name, column in zip(ITEM_ARRAYS, columns, strict=True)
     }
+    found["obstacle_pose"] += start
+    return found
 
 
 def _breaches(block: Configuration, condition: Condition) -> tuple[NDArray[Any], ...]:

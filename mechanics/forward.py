@@ -5,24 +5,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Booleans, Floats
 from mechanics.assembly import spheres, spherical, tetrahedra, turning
 from mechanics.assembly.braked import BrakedLegs
 from mechanics.assembly.guess import STEPS, close_legs
+from mechanics.assembly.normal_form import normal_form
 from mechanics.assembly.proposals import Proposals
-from mechanics.assembly.settling import Modes, describe, loose, settle
+from mechanics.assembly.rods import Rods
+from mechanics.assembly.settling import SINGULAR, Modes, describe, loose, settle
 from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
 from mechanics.mechanism import Mechanism, WorkingMode
 from mechanics.rotations import coordinates, principal_angles
 from mechanics.wrists import Wrist
-
-_BLOCK = 2048
-"""Rows answered together, so that memory does not grow with the request."""
-
-
-DOUBLE = 1e-6
-"""A determinant, turns measured at the characteristic length, that counts as 0."""
 
 IMPOSSIBLE = "impossible drives"
 """The route where drives cannot stand so: a strut of no length."""
@@ -92,9 +87,21 @@ def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
     columns = _columns(mechanism, actuators)
     if mechanism.wrist is not None:
         return _wristed_modes(mechanism, mechanism.wrist, columns)
-    found: list[Assembly] = []
-    for first in range(0, columns.shape[1], _BLOCK):
-        found += _block(mechanism, columns[:, first : first + _BLOCK])
+    legs = BrakedLegs(mechanism, columns)
+    possible = np.flatnonzero(legs.possible)
+    found = [Assembly((), IMPOSSIBLE, True)] * legs.actuators.shape[1]
+    if not possible.size:
+        return found
+    braked = legs.take(possible)
+    proposals = _proposals(braked)
+    modes = settle(braked, proposals)
+    certified = proposals.certified.copy()
+    certified[modes.cases[loose(braked, modes)]] = False
+    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
+    every = [_mode(modes, i) for i in range(modes.cases.size)]
+    for case, row in enumerate(possible):
+        own = tuple(every[bounds[case] : bounds[case + 1]])
+        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
     return found
 
 
@@ -143,13 +150,40 @@ def _nearby(legs: BrakedLegs, start: Floats, iterations: int) -> list[NearbyMode
     return found
 
 
+def searched(mechanism: Mechanism, actuators: Floats) -> Booleans:
+    """Return at which rows modes can only be searched for, from random poses; shape (rows,).
+
+    So it is where six rods without structure join bodies that are affinely related.
+
+    Parameters
+    ----------
+    actuators : array, shape (rows, drives). [rad or m]
+
+    Raises
+    ------
+    ActuatorsError : `actuators` has another number of columns than there are drives.
+    """
+    columns = _columns(mechanism, actuators)
+    found = np.zeros(columns.shape[1], dtype=bool)
+    if mechanism.motion.name != "spatial" or mechanism.wrist is not None:
+        return found
+    legs = BrakedLegs(mechanism, columns)
+    if tetrahedra.structure_of(legs) is None:
+        starts, points = legs.rod_starts, mechanism.legs.platform_point
+        for row in np.flatnonzero(legs.possible):
+            start = np.ascontiguousarray(starts[:, :, row])
+            rods = Rods(start, points, np.ascontiguousarray(legs.rod_lengths[:, row]))
+            found[row] = normal_form(rods).affine
+    return found
+
+
 def side(mechanism: Mechanism, determinant: float) -> int:
     """Return the sign of det Jx, and 0 where a mode is two in one or there is no determinant.
 
     Such a mode is known to about the root of rounding only, and so is its determinant.
     """
     lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
-    return int(np.sign(determinant)) if abs(determinant) > DOUBLE * lengths else 0
+    return int(np.sign(determinant)) if abs(determinant) > SINGULAR * lengths else 0
 
 
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
@@ -195,25 +229,6 @@ def _on_wrist(
         mode.determinant * mechanism.characteristic_length**3,
         mode.residual,
     )
-
-
-def _block(mechanism: Mechanism, columns: Floats) -> list[Assembly]:
-    legs = BrakedLegs(mechanism, columns)
-    possible = np.flatnonzero(legs.possible)
-    found = [Assembly((), IMPOSSIBLE, True)] * columns.shape[1]
-    if not possible.size:
-        return found
-    braked = legs.take(possible)
-    proposals = _proposals(braked)
-    modes = settle(braked, proposals)
-    certified = proposals.certified.copy()
-    certified[modes.cases[loose(braked, modes)]] = False
-    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
-    every = [_mode(modes, i) for i in range(modes.cases.size)]
-    for case, row in enumerate(possible):
-        own = tuple(every[bounds[case] : bounds[case + 1]])
-        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
-    return found
 
 
 def _mode(modes: Modes, i: int) -> AssemblyMode:

@@ -85,6 +85,7 @@ _FORWARD = Example(
         ],
         "route": ["closed form"],
         "certified": [True],
+        "obstacles": [],
     },
 )
 

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from schemas.legged import Sign, WorkingMode
 from schemas.mechanisms import Mechanism
-from schemas.poses import MOST_POSES, Pose
+from schemas.poses import MOST_POSES, Obstacle, Pose
 from schemas.quantities import Finite, Model
 
 ActuatorRows = Annotated[
@@ -14,10 +14,13 @@ ActuatorRows = Annotated[
     Field(
         min_length=1,
         max_length=MOST_POSES,
-        description="One row a question, one drive coordinate per drive. Actuator limits are not "
-        "applied. [rad, m]",
+        description="One row a question, one drive coordinate per drive. A row beyond actuator "
+        "limits is answered all the same, and stands among the obstacles. [rad, m]",
     ),
 ]
+
+
+_OBSTACLES = "Which given drives are beyond their actuator limits; `pose` is the row of actuators."
 
 
 class ForwardKinematicsRequest(Model):
@@ -67,6 +70,7 @@ class ForwardKinematicsResult(Model):
         description="Whether these are all: not known where the platform can move while the "
         "drives stand still, nor of multistart."
     )
+    obstacles: list[Obstacle] = Field(description=_OBSTACLES)
 
 
 class Iteration(Model):
@@ -87,3 +91,4 @@ class ForwardKinematicsGuessResult(Model):
         description="Per row the mode reached; empty where the iteration did not converge."
     )
     newton: list[Iteration]
+    obstacles: list[Obstacle] = Field(description=_OBSTACLES)

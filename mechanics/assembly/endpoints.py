@@ -1,7 +1,8 @@
 """What forty paths ended in: real and complex modes, multiple ones, and ends where h = 0.
 
 The count is certified by numbers, not by intervals: every path ended, no two in one simple root,
-and with each root there is its conjugate, as the equations are real.
+and with each root there is its conjugate, as the equations are real. Those with h = 0 are never
+real, so real modes are even in number, each double one counted twice.
 """
 
 from typing import NamedTuple
@@ -16,7 +17,8 @@ class Endpoints(NamedTuple):
     Parameters
     ----------
     solutions : array, shape (paths, 6): e, of length 1, S3 and D3.
-    doubtful : which paths do not count: lost, fallen together, or without their conjugate.
+    doubtful : which paths do not count: lost, fallen together, without their conjugate, or all
+        that lead to no real root if those are odd in number.
     multiple : which ends are roots that several paths share.
     real : which ends are simple real roots.
     nearly_real : which ends are worth trying as real modes.

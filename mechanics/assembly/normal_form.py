@@ -33,6 +33,11 @@ class NormalForm(NamedTuple):
     leg: int
     rank: float
 
+    @property
+    def affine(self) -> bool:
+        """Whether base and platform are affinely related: the equations then say too little."""
+        return self.rank == 0.0
+
 
 def normal_form(rods: Rods, turn: float = 0.0) -> NormalForm:
     """Return the platform's equations.

@@ -16,14 +16,18 @@ _ROUGH = 0.1
 """Proposals that miss by more of the mechanism's size are not polished."""
 
 _STEPS = 40
-_SINGULAR = 1e-6
-"""Below this share of the greatest singular value of Jx a mode may be a path."""
+SINGULAR = 1e-6
+"""Jx is singular if its least singular value is not above this share of the greatest, and its
+determinant 0 if not above this, turns measured at the characteristic length."""
 
 _AWAY = 0.02
 """How far such a mode is left, as a share of the mechanism's size."""
 
 _SAME = 1e-12
-"""Two modes are one if half-way between them no rod is off by more, of the mechanism's size."""
+"""Two modes are one if half-way between them no rod is off by more, of the mechanism's extent."""
+
+_ROUNDING = 8.0 * 2.0**-52
+"""What is known of a rod, as a share of the mechanism's size, its distance from 0 included."""
 
 _CLOSE = 0.02
 """Modes further apart than this, of the mechanism's size or in rad, are never one."""
@@ -125,9 +129,9 @@ def _free_motions(legs: BrakedLegs, modes: Modes) -> tuple[Integers, Floats]:
     rows = legs.take(modes.cases).errors(modes.poses).rows / scales[:, None]
     greatest = np.prod(np.linalg.norm(rows, axis=1), axis=0) * np.prod(scales)
     # No singular value is asked for where the determinant can tell.
-    small = np.flatnonzero(np.abs(modes.determinants) <= _SINGULAR * greatest)
+    small = np.flatnonzero(np.abs(modes.determinants) <= SINGULAR * greatest)
     _, values, ways = np.linalg.svd(np.moveaxis(rows[..., small], 2, 0))
-    open_ways = values[:, -1] <= _SINGULAR * values[:, 0]
+    open_ways = values[:, -1] <= SINGULAR * values[:, 0]
     return small[open_ways], ways[open_ways, -1].T / (scales * scales.max())[:, None]
 
 
@@ -142,7 +146,7 @@ def _same(modes: Modes, first: Integers, second: Integers, legs: BrakedLegs) -> 
     braked = braked.take(near)
     excess = np.abs(braked.errors(half).excess).max(axis=0)
     same = np.zeros(first.size, dtype=bool)
-    same[near] = excess <= _SAME * braked.sizes
+    same[near] = excess <= np.maximum(_SAME * braked.extents, _ROUNDING * braked.sizes)
     return same
 
 

@@ -75,7 +75,7 @@ def spatial_modes(base: Floats, platform: Floats, lengths: Floats) -> SpatialMod
     found: list[Poses] = []
     for number, (start, turn) in enumerate(zip(stored(), TURNS, strict=True)):
         form = normal_form(rods, turn)
-        if form.rank == 0.0:
+        if form.affine:
             break
         ends, again = _follow_all(form, start, SWIFT if number == 0 else CAREFUL)
         modes, certified = _modes(rods, form, ends)

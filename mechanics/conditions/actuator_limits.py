@@ -39,20 +39,29 @@ class ActuatorLimits(Condition):
 
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its limits each drive is. [rad or m]"""
-        margins = margin_between(self._nearest_turns(block), self._lower, self._upper)
-        unbounded = np.where(np.isnan(self._driven(block)), np.nan, np.inf)
-        return np.where(self._free, unbounded, margins)
+        return self.margins(block.actuators)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the drive, a crank in the turn nearest to its limits, and the limit."""
-        return nearest_bound(self._nearest_turns(block), self._lower, self._upper)
+        return self.nearest(block.actuators)
 
-    def _nearest_turns(self, block: Configuration) -> Floats:
+    def margins(self, actuators: Floats) -> Floats:
+        """Return how far inside its limits each leg's drive is, shape (legs, rows). [rad or m]
+
+        `actuators`, shape (drives, rows), has a wrist's motors too, if there are any.
+        """
+        own = actuators[: len(self.legs)]
+        margins = margin_between(self._nearest_turns(own), self._lower, self._upper)
+        unbounded = np.where(np.isnan(own), np.nan, np.inf)
+        return np.where(self._free, unbounded, margins)
+
+    def nearest(self, actuators: Floats) -> Breach:
+        """Return drive coordinates, of cranks in the turn nearest to their limits, and those."""
+        own = actuators[: len(self.legs)]
+        return nearest_bound(self._nearest_turns(own), self._lower, self._upper)
+
+    def _nearest_turns(self, values: Floats) -> Floats:
         """Return the turn of each angle that lies deepest inside, or least outside, its limits."""
-        values = self._driven(block)
         turns = np.where(self._turned, np.round((self._middle - values) / TURN), 0.0)
         turned: Floats = values + TURN * turns
         return turned
-
-    def _driven(self, block: Configuration) -> Floats:
-        return block.actuators[: len(self.legs)]

@@ -19,17 +19,26 @@ class MotorLimits(Condition):
 
     def __init__(self, mechanism: Mechanism) -> None:
         wrist = mechanism.wrist
+        self._first = mechanism.leg_count
         self.legs = tuple(range(mechanism.leg_count, mechanism.drive_count))
         self._lower = np.empty((0, 1)) if wrist is None else wrist.lower_limit[:, None]
         self._upper = np.empty((0, 1)) if wrist is None else wrist.upper_limit[:, None]
 
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its limits each motor is. [rad]"""
-        return margin_between(self._driven(block), self._lower, self._upper)
+        return self.margins(block.actuators)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the motors' coordinates, and the limits nearest to them. [rad]"""
-        return nearest_bound(self._driven(block), self._lower, self._upper)
+        return self.nearest(block.actuators)
 
-    def _driven(self, block: Configuration) -> Floats:
-        return block.actuators[block.mechanism.leg_count :]
+    def margins(self, actuators: Floats) -> Floats:
+        """Return how far inside its limits each motor is, shape (motors, rows). [rad]
+
+        `actuators`, shape (drives, rows), has the legs' drives first.
+        """
+        return margin_between(actuators[self._first :], self._lower, self._upper)
+
+    def nearest(self, actuators: Floats) -> Breach:
+        """Return the motors' coordinates among all drives', and the limits nearest to them."""
+        return nearest_bound(actuators[self._first :], self._lower, self._upper)

@@ -15,9 +15,6 @@ INFINITE = 1e-7
 TWIN_INFINITE = 1e-5
 """Ends that fell together are no pose if |h| / |e|^2 is not above this: those are multiple."""
 
-GIVEN_UP = 0.05
-"""Paths that stall below this |h| / |e|^2, which is 1 at real modes, are given up as infinite."""
-
 NEARLY_REAL = 3e-3
 """How far from real an end may be that is tried as a real mode; Newton's method decides."""
 
@@ -66,12 +63,9 @@ def classify(
     found = np.empty((4, outcomes.size), np.bool_)
     doubtful, multiple, real, nearly_real = found[0], found[1], found[2], found[3]
     own, partner, twin = nearest(solutions, outcomes == ARRIVED, tolerance)
-    gave_up = np.any(outcomes == AT_INFINITY)
     for k in range(outcomes.size):
         outcome, size, simple = outcomes[k], abs(e_times_e(solutions[k])), outcomes[k] == ARRIVED
         together, alone = simple and twin[k] < tolerance, simple and partner[k] >= tolerance
-        # The path to the conjugate may be one of those that were given up.
-        alone = alone and not (gave_up and size < GIVEN_UP)
         infinite = outcome == AT_INFINITY or size < INFINITE
         infinite = infinite or (final and together and size < TWIN_INFINITE)
         # Where h = 0, too, one of two may have jumped, and a real mode be without its path.
@@ -80,6 +74,9 @@ def classify(
         multiple[k] = outcome == SINGULAR and not infinite
         real[k] = simple and own[k] < tolerance and not infinite
         nearly_real[k] = outcome != LOST and own[k] < NEARLY_REAL and not infinite
+    # Other solutions come in pairs, and so must these; else a path to one has ended elsewhere.
+    if np.count_nonzero(real) % 2 == 1 and not np.any(multiple & nearly_real):
+        doubtful |= ~real
     return doubtful, multiple, real, nearly_real
 
 

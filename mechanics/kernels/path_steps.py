@@ -12,7 +12,7 @@ from typing import NamedTuple
 from mechanics.arrays import Floats
 from mechanics.kernels.compiling import spliced
 from mechanics.kernels.platform_equations import COEFFICIENTS, at, newton_step
-from mechanics.kernels.rows import Five, square
+from mechanics.kernels.rows import Five, Six, square
 
 LANES = 8
 
@@ -36,8 +36,7 @@ COUNT = NORM + 1
 POLISHED = COUNT + 1
 OUTCOME = POLISHED + 1
 GOOD = OUTCOME + 1
-WEIGHTS = GOOD + 1
-ROWS = WEIGHTS + 6
+ROWS = GOOD + 1
 
 MOST_STEPS = 3000.0
 """A path of more steps creeps, however good they are, and is lost; most need a tenth of it."""
@@ -46,6 +45,15 @@ RUNNING, ARRIVED, SINGULAR, AT_INFINITY, LOST = 0, 1, 2, 3, 4
 
 EXACT = 1e-20
 """The square of a Newton step with which a path has arrived."""
+
+OVER = 1e-10
+"""No step is so short; what is left of a path is then none."""
+
+SMALL, NOTHING = 2.5e-3, 1e-10
+"""Squares of |h| / |e|^2, which is 1 at real modes, before and at the end of a path to h = 0."""
+
+ROUGH = 1e-18
+"""The square of a Newton step that may be rounding: near a multiple root there is as much."""
 
 
 class Pace(NamedTuple):
@@ -65,12 +73,11 @@ class Pace(NamedTuple):
     longest: float
     growth: float
     least: float
-    patience: float
     corrections: int = 2
 
 
-SWIFT = Pace(0.08, 0.08, 0.015, 0.02, 0.1, 0.3, 2.0, 1e-9, 120.0)
-CAREFUL = Pace(0.01, 0.01, 0.001, 0.001, 0.02, 0.1, 1.6, 1e-11, 300.0)
+SWIFT = Pace(0.08, 0.08, 0.015, 0.02, 0.1, 0.3, 2.0, 1e-9)
+CAREFUL = Pace(0.01, 0.01, 0.001, 0.001, 0.02, 0.1, 1.6, 1e-11)
 
 
 @spliced
@@ -81,18 +88,30 @@ def predict(w: Floats) -> None:
         f, g, k = 1.0 / a, 1.0 / b, 1.0 / (b - a)
         # Lagrange's polynomials for the times 0, -a, -b, at h.
         p, q, r = (h + a) * (h + b) * f * g, -(h * (h + b)) * f * k, h * (h + a) * g * k
-        w[WEIGHTS, i] = (1.0 - 2.0 * (f + g) * h) * p * p
-        w[WEIGHTS + 1, i] = h * p * p
-        w[WEIGHTS + 2, i] = (1.0 - 2.0 * (k - f) * (h + a)) * q * q
-        w[WEIGHTS + 3, i] = (h + a) * q * q
-        w[WEIGHTS + 4, i] = (1.0 + 2.0 * (g + k) * (h + b)) * r * r
-        w[WEIGHTS + 5, i] = (h + b) * r * r
-    for n in range(10):
-        for i in range(LANES):
-            total = 0.0
-            for k in range(6):
-                total += w[WEIGHTS + k, i] * w[POINTS + 10 * k + n, i]
-            w[GUESS + n, i] = total
+        weights = (
+            (1.0 - 2.0 * (f + g) * h) * p * p,
+            h * p * p,
+            (1.0 - 2.0 * (k - f) * (h + a)) * q * q,
+            (h + a) * q * q,
+            (1.0 + 2.0 * (g + k) * (h + b)) * r * r,
+            (h + b) * r * r,
+        )
+        for n in range(10):
+            w[GUESS + n, i] = weighed(w, POINTS + n, i, weights)
+
+
+@spliced
+def weighed(w: Floats, row: int, i: int, weights: Six) -> float:
+    """Return the weighed sum of every tenth row, six of them from `row` on."""
+    total: float = (
+        weights[0] * w[row, i]
+        + weights[1] * w[row + 10, i]
+        + weights[2] * w[row + 20, i]
+        + weights[3] * w[row + 30, i]
+        + weights[4] * w[row + 40, i]
+        + weights[5] * w[row + 50, i]
+    )
+    return total
 
 
 @spliced
@@ -153,7 +172,7 @@ def decide(w: Floats, pace: Pace) -> None:
         time, step = w[TIME, i], w[STEP, i]
         second, first = w[ERRORS, i], w[ERRORS + 1, i]
         resting, ending = step == 0.0, time == 1.0
-        near = second < max(pace.contraction**2 * first, EXACT)
+        near = second < max(pace.contraction**2 * first, ROUGH)
         near &= first < pace.widest**2
         good = resting | near
         first_step = pace.start / math.sqrt(w[SPEED, i])
@@ -162,11 +181,13 @@ def decide(w: Floats, pace: Pace) -> None:
         time = time + step if good else time
         rest = 1.0 - time
         next_step = rest if 1.02 * next_step > rest else next_step
-        over = rest <= 1e-10
+        over = rest <= OVER
         w[COUNT, i] += 1.0
         w[POLISHED, i] += 1.0 if ending else 0.0
         stuck = (not good) & (next_step < pace.least)
-        outcome = outcome_of(w, i, rest, stuck, pace.patience)
+        outcome = LOST if stuck | (w[COUNT, i] > MOST_STEPS) else RUNNING
+        outcome = AT_INFINITY if (not good) & at_infinity(w, i, rest, stuck) else outcome
+        outcome = SINGULAR if w[POLISHED, i] >= 6.0 else outcome
         w[OUTCOME, i] = ARRIVED if ending & (second < EXACT) else outcome
         moved = good & (not resting)
         w[FORMER + 1, i] = step + w[FORMER, i] if moved else w[FORMER + 1, i]
@@ -181,31 +202,36 @@ def growth(first: float, second: float, pace: Pace) -> float:
     """Return by what the next step is longer, from the squares of both Newton steps.
 
     A step's error grows with its sixth power; this takes the 16/3rd root, out of square roots.
+    Where the second is rounding it tells nothing of the path, which is then as straight as can be.
     """
     aim = min(pace.aim * first / math.sqrt(second), pace.most)
+    aim = pace.most if second < ROUGH else aim
     eighth = math.sqrt(math.sqrt(math.sqrt(aim / math.sqrt(first))))
     return min(max(eighth * math.sqrt(eighth), 0.4), pace.growth)
 
 
 @spliced
-def outcome_of(w: Floats, i: int, rest: float, stuck: bool, patience: float) -> int:
-    """Return what became of a lane's path that has not arrived.
+def at_infinity(w: Floats, i: int, rest: float, stuck: bool) -> bool:
+    """Return whether a lane's path, whose step was refused, ends where h = 0: that is no pose.
 
-    At a real mode |h| is |e|^2: a path that comes so near h = 0 so late has none to reach.
+    Where joints coincide many end so, in multiple roots, to which they come no nearer than rounding
+    lets them: the last step, onto the root, would be refused again and again.
     """
-    infinite = (rest < 0.01) & (w[SIZE, i] < 2.5e-3 * w[NORM, i] * w[NORM, i])
-    outcome = (AT_INFINITY if infinite else LOST) if stuck else RUNNING
-    outcome = AT_INFINITY if infinite & (w[COUNT, i] > patience) else outcome
-    outcome = LOST if w[COUNT, i] > MOST_STEPS else outcome
-    return SINGULAR if w[POLISHED, i] >= 6.0 else outcome
+    x = point(w, POINTS, i)
+    norm = 1.0 + (square(x[0]) + square(x[1]) + square(x[2]))
+    before = square(1.0 + (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]))
+    leads = (rest < 0.01) & (before < SMALL * norm * norm)
+    onto = (rest - w[STEP, i] <= OVER) & (w[SIZE, i] < NOTHING * w[NORM, i] * w[NORM, i])
+    ends: bool = leads & (onto | stuck)
+    return ends
 
 
 @spliced
 def remember(w: Floats) -> None:
     """Make the guess the last point of each lane whose step counts."""
-    for n in range(10):
-        for i in range(LANES):
-            good = w[GOOD, i] > 0.5
+    for i in range(LANES):
+        good = w[GOOD, i] > 0.5
+        for n in range(10):
             for k in range(5, 1, -1):
                 row = POINTS + 10 * k + n
                 w[row, i] = w[row - 20, i] if good else w[row, i]

@@ -123,6 +123,34 @@ def test_a_singular_mode_is_there_once_and_on_no_side() -> None:
     assert found["assembly_modes"][0][0]["pose"] == pytest.approx([0.0, height], abs=1e-6)
 
 
+def test_similar_bodies_on_six_struts_are_priced_as_a_search() -> None:
+    random = np.random.default_rng(5)
+    base, platform = random.uniform(-1.0, 1.0, (2, 6, 3))
+    prices = []
+    for points in (platform, 0.5 * base):
+        spec = {"base_points": base.tolist(), "platform_points": points.tolist()}
+        mechanism = {"kind": "gough_stewart", **spec}
+        body = ASKED | {"mechanism": mechanism, "actuators": [[1.0] * 6] * 50}
+        request = parse_request(json.dumps(body))
+        prices.append(analyses.estimate(request, 0.5).seconds)
+    assert prices[1] > 5.0 * prices[0]
+
+
+@pytest.mark.parametrize("guess", [None, [0.05, 0.8]])
+def test_drives_beyond_their_limits_are_answered_and_told(guess: list[float] | None) -> None:
+    limited = FIVE_BAR | {"actuator_limits": {"min": 0.0, "max": 1.6}}
+    upright = np.pi / 2
+    # Both cranks upright; the second a turn further, which is the same angle; the first too far.
+    drives = [[upright, upright], [upright, upright + 2.0 * np.pi], [1.7, upright]]
+    found = answered(
+        ASKED | {"mechanism": limited, "actuators": drives} | ({"guess": guess} if guess else {})
+    )
+    assert all(found["assembly_modes"])
+    (obstacle,) = found["obstacles"]
+    assert (obstacle["pose"], obstacle["leg"], obstacle["reason"]) == (2, 0, "actuator_limits")
+    assert (obstacle["value"], obstacle["limit"]) == pytest.approx((1.7, 1.6))
+
+
 @pytest.mark.parametrize(
     ("changes", "place"),
     [

@@ -83,3 +83,11 @@ def test_modes_do_not_depend_on_where_the_platform_joints_are() -> None:
     expected = modes_of(TRIPOD, [1.2, 1.3, 1.4]).modes
     assert len(found) == len(expected) == 2
     assert all(gap(TRIPOD, expected, mode.pose) < 1e-13 for mode in found)
+
+
+@pytest.mark.parametrize("height", [0.0, 1e6, 1e9])
+def test_modes_close_to_each_other_are_two_however_far_they_are(height: float) -> None:
+    far = on_struts(TRANSLATION, AROUND + np.array([0.0, 0.0, height]), np.zeros((3, 3)))
+    found = modes_of(far, [np.hypot(1.0, 0.004)] * 3).modes
+    heights = sorted(mode.pose[2] - height for mode in found)
+    assert heights == pytest.approx([-0.004, 0.004], abs=1e-4)

@@ -81,6 +81,17 @@ def test_nothing_is_lost_that_newton_finds_from_random_poses(kind: str) -> None:
             assert away(found, mode[:3], mode[3:].reshape(3, 3)).min() < 1e-6
 
 
+@pytest.mark.parametrize(("kind", "number"), [("6-3", 98), ("4-4", 85)])
+def test_a_mode_beside_infinite_paths_is_not_lost(kind: str, number: int) -> None:
+    """A path to it is easily taken for one of those that end where h = 0."""
+    random = np.random.default_rng(11)
+    of = [rods.draw(kind, random) for _ in range(number + 1)][-1]
+    found = modes_of(of)
+    assert found.certified
+    for mode in rods.modes(of, random, starts=3000):
+        assert away(found, mode[:3], mode[3:].reshape(3, 3)).min() < 1e-6
+
+
 def test_dietmaiers_platform_has_forty_real_modes() -> None:
     # Dietmaier, 1998, The Stewart-Gough platform of general geometry can have 40 real postures.
     base = np.array(

@@ -8,6 +8,7 @@ from attrs import define as _attrs_define
 if TYPE_CHECKING:
     from ..models.assembly_mode import AssemblyMode
     from ..models.iteration import Iteration
+    from ..models.obstacle import Obstacle
 
 
 T = TypeVar("T", bound="ForwardKinematicsGuessResult")
@@ -22,12 +23,14 @@ class ForwardKinematicsGuessResult:
         assembly_modes (list[list[AssemblyMode]]): Per row the mode reached; empty where the iteration did not converge.
         determinant_unit (str):
         newton (list[Iteration]):
+        obstacles (list[Obstacle]): Which given drives are beyond their actuator limits; `pose` is the row of actuators.
     """
 
     analysis: Literal["forward_kinematics"]
     assembly_modes: list[list[AssemblyMode]]
     determinant_unit: str
     newton: list[Iteration]
+    obstacles: list[Obstacle]
 
     def to_dict(self) -> dict[str, Any]:
         analysis = self.analysis
@@ -48,6 +51,11 @@ class ForwardKinematicsGuessResult:
             newton_item = newton_item_data.to_dict()
             newton.append(newton_item)
 
+        obstacles = []
+        for obstacles_item_data in self.obstacles:
+            obstacles_item = obstacles_item_data.to_dict()
+            obstacles.append(obstacles_item)
+
         field_dict: dict[str, Any] = {}
 
         field_dict.update(
@@ -56,6 +64,7 @@ class ForwardKinematicsGuessResult:
                 "assembly_modes": assembly_modes,
                 "determinant_unit": determinant_unit,
                 "newton": newton,
+                "obstacles": obstacles,
             }
         )
 
@@ -65,6 +74,7 @@ class ForwardKinematicsGuessResult:
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.assembly_mode import AssemblyMode  # noqa: PLC0415
         from ..models.iteration import Iteration  # noqa: PLC0415
+        from ..models.obstacle import Obstacle  # noqa: PLC0415
 
         d = dict(src_dict)
         analysis = cast(Literal["forward_kinematics"], d.pop("analysis"))
@@ -92,11 +102,19 @@ class ForwardKinematicsGuessResult:
 
             newton.append(newton_item)
 
+        obstacles = []
+        _obstacles = d.pop("obstacles")
+        for obstacles_item_data in _obstacles:
+            obstacles_item = Obstacle.from_dict(obstacles_item_data)
+
+            obstacles.append(obstacles_item)
+
         forward_kinematics_guess_result = cls(
             analysis=analysis,
             assembly_modes=assembly_modes,
             determinant_unit=determinant_unit,
             newton=newton,
+            obstacles=obstacles,
         )
 
         return forward_kinematics_guess_result

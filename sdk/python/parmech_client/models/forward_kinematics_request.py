@@ -31,8 +31,8 @@ class ForwardKinematicsRequest:
     """Ask for the poses at drive positions: all of them, or the one reached from a guess.
 
     Attributes:
-        actuators (list[list[float]]): One row a question, one drive coordinate per drive. Actuator limits are not
-            applied. [rad, m]
+        actuators (list[list[float]]): One row a question, one drive coordinate per drive. A row beyond actuator limits
+            is answered all the same, and stands among the obstacles. [rad, m]
         analysis (Literal['forward_kinematics']):
         mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
             HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):

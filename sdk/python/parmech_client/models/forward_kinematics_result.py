@@ -7,6 +7,7 @@ from attrs import define as _attrs_define
 
 if TYPE_CHECKING:
     from ..models.assembly_mode import AssemblyMode
+    from ..models.obstacle import Obstacle
 
 
 T = TypeVar("T", bound="ForwardKinematicsResult")
@@ -23,6 +24,7 @@ class ForwardKinematicsResult:
         certified (list[bool]): Whether these are all: not known where the platform can move while the drives stand
             still, nor of multistart.
         determinant_unit (str):
+        obstacles (list[Obstacle]): Which given drives are beyond their actuator limits; `pose` is the row of actuators.
         route (list[str]): How they were found: closed form, one angle (the roots of a polynomial), tetrahedra; of six
             rods homotopy, retracked, restarted or multistart; impossible drives.
     """
@@ -31,6 +33,7 @@ class ForwardKinematicsResult:
     assembly_modes: list[list[AssemblyMode]]
     certified: list[bool]
     determinant_unit: str
+    obstacles: list[Obstacle]
     route: list[str]
 
     def to_dict(self) -> dict[str, Any]:
@@ -49,6 +52,11 @@ class ForwardKinematicsResult:
 
         determinant_unit = self.determinant_unit
 
+        obstacles = []
+        for obstacles_item_data in self.obstacles:
+            obstacles_item = obstacles_item_data.to_dict()
+            obstacles.append(obstacles_item)
+
         route = self.route
 
         field_dict: dict[str, Any] = {}
@@ -59,6 +67,7 @@ class ForwardKinematicsResult:
                 "assembly_modes": assembly_modes,
                 "certified": certified,
                 "determinant_unit": determinant_unit,
+                "obstacles": obstacles,
                 "route": route,
             }
         )
@@ -68,6 +77,7 @@ class ForwardKinematicsResult:
     @classmethod
     def from_dict(cls: type[T], src_dict: Mapping[str, Any]) -> T:
         from ..models.assembly_mode import AssemblyMode  # noqa: PLC0415
+        from ..models.obstacle import Obstacle  # noqa: PLC0415
 
         d = dict(src_dict)
         analysis = cast(Literal["forward_kinematics"], d.pop("analysis"))
@@ -90,6 +100,13 @@ class ForwardKinematicsResult:
 
         determinant_unit = d.pop("determinant_unit")
 
+        obstacles = []
+        _obstacles = d.pop("obstacles")
+        for obstacles_item_data in _obstacles:
+            obstacles_item = Obstacle.from_dict(obstacles_item_data)
+
+            obstacles.append(obstacles_item)
+
         route = cast(list[str], d.pop("route"))
 
         forward_kinematics_result = cls(
@@ -97,6 +114,7 @@ class ForwardKinematicsResult:
             assembly_modes=assembly_modes,
             certified=certified,
             determinant_unit=determinant_unit,
+            obstacles=obstacles,
             route=route,
         )
 
