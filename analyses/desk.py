@@ -18,7 +18,7 @@ from analyses.velocity import Velocity
 from analyses.workspace import Workspace
 from schemas.analyses import Request, mechanism_of, parse_request
 from schemas.estimates import Estimate
-from schemas.examples import EXAMPLES, HEXAPOD_AT_REST
+from schemas.examples import EXAMPLES, HEAVY
 from schemas.friction_torque import FrictionTorqueRequest
 from schemas.kinds import Kind
 from schemas.mechanisms import KINDS, StoredMechanism
@@ -110,7 +110,7 @@ def offered_kind(name: str) -> Kind:
 
 
 def warm() -> None:
-    """Answer every worked example, so that all kernels are compiled and loaded."""
-    for example in EXAMPLES:
-        answer(example.request)
-    answer(HEXAPOD_AT_REST)
+    """Answer worked examples and what is heavy, so that all kernels are compiled and loaded."""
+    for request in [*(example.request for example in EXAMPLES), *HEAVY]:
+        estimate(request, 0.0)
+        answer(request)

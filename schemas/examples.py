@@ -258,9 +258,28 @@ _FRICTION_TORQUE = Example(
 
 EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE, _FRICTION_TORQUE)
 
-HEXAPOD_AT_REST = ForwardKinematicsRequest(
-    analysis="forward_kinematics",
-    mechanism=STARTERS["gough_stewart"],
-    actuators=[[0.8, 0.81, 0.82, 0.83, 0.84, 0.85]],
+_FEW_NODES = [
+    GridAxis(coordinate="x", min=-0.05, max=0.05, step=0.05),
+    GridAxis(coordinate="y", min=-0.05, max=0.05, step=0.05),
+]
+HEAVY: tuple[Request, ...] = (
+    ForwardKinematicsRequest(
+        analysis="forward_kinematics",
+        mechanism=STARTERS["gough_stewart"],
+        actuators=[[0.8, 0.81, 0.82, 0.83, 0.84, 0.85]],
+    ),
+    *(
+        WorkspaceRequest.model_validate(
+            {
+                "analysis": "workspace",
+                "mechanism": STARTERS[kind],
+                "class": "theoretical",
+                "type": "maximal",
+                "grid": _FEW_NODES,
+                "fixed": fixed,
+            }
+        )
+        for kind, fixed in (("planar_3rrr", {}), ("gough_stewart", {"z": 0.7}))
+    ),
 )
-"""Asks for what takes the longest to compile."""
+"""Ask for what takes the longest to compile: all modes of six rods, all angles of a turn."""
