@@ -39,7 +39,7 @@ NUMBERS_PER_MESH = 40
 NUMBERS_PER_POINT = 4
 
 MOST_RATIO = 1e12
-"""Of all meshes together; torques beyond it are no longer numbers worth telling."""
+"""Of the meshes up to any shaft together; torques beyond are no longer numbers worth telling."""
 
 TRANSFER = ("torque_factor", "efficiency", "place", "input_arm", "output_arm", "sliding_speed")
 CURVE = ("mesh", "phase", "pairs", "torque_factor")
@@ -109,15 +109,17 @@ class FrictionTorque(Analysis[FrictionTorqueRequest]):
 
 
 def _check_ratio(train: Sequence[Mesh]) -> None:
-    size = sum(math.log10(mesh.ratio) for mesh in train)
-    if abs(size) > math.log10(MOST_RATIO):
-        raise AnalysisError(
-            (
-                "/train",
-                f"the ratios of all meshes make 1e{size:.3g}; it must be from "
-                f"{1.0 / MOST_RATIO:g} to {MOST_RATIO:g}",
+    # Up to every shaft: the last one may turn as fast as the first with numbers lost between.
+    sizes = itertools.accumulate(math.log10(mesh.ratio) for mesh in train)
+    for count, size in enumerate(sizes, start=1):
+        if abs(size) > math.log10(MOST_RATIO):
+            raise AnalysisError(
+                (
+                    "/train",
+                    f"the ratios of the first {count} meshes make 1e{size:.3g}; up to every shaft "
+                    f"they must be from {1.0 / MOST_RATIO:g} to {MOST_RATIO:g}",
+                )
             )
-        )
 
 
 def _speed(request: FrictionTorqueRequest) -> float:
@@ -138,15 +140,16 @@ def _whole(
     """Return what is told of the train as a whole."""
     efficiency = math.prod(stage.transfer.efficiency for stage in stages)
     losses = [_power_loss(stage, request) for stage in stages]
+    at_motor, factor = stages[-1].input_torque, _factors(stages)[-1]
     return {
-        "input_torque": _number(stages[-1].input_torque),
+        "input_torque": _number(at_motor),
         "frictionless_input_torque": stages[-1].frictionless_input_torque,
-        "excess": _number(_factors(stages)[-1] - 1.0),
+        "excess": _number(factor - 1.0),
         "ratio": math.prod(mesh.ratio for mesh in train),
         "efficiency": efficiency,
         "loss": 1.0 - efficiency,
         "power_loss": _number(math.fsum(losses)),
-        "self_locking": any(stage.transfer.locks for stage in stages),
+        "self_locking": not (math.isfinite(at_motor) and math.isfinite(factor)),
     }
 
 
@@ -223,4 +226,5 @@ def _told_curve(
 
 
 def _number(value: float) -> float | None:
-    return None if math.isnan(value) else value
+    # Meshes that are all about to lock multiply a torque beyond every number: none moves them.
+    return value if math.isfinite(value) else None

@@ -15,11 +15,11 @@ from mechanics.velocity import actuator_rates
 
 
 def chain_factor(train: Sequence[Mesh], contact: Contact, sense: Sense) -> float:
-    """Return a motor's torque over that without friction; NaN if a mesh of its train locks.
+    """Return a motor's torque over that without friction; NaN if its train locks.
 
     Without friction the wrist's gains say what a motor bears, and friction in a mesh multiplies
     what passes it, so a whole train is one factor: at least 1 of a motor that drives, at most 1 of
-    one that is driven back.
+    one that is driven back. Meshes that all but lock may lock together: beyond every number.
 
     Parameters
     ----------
@@ -31,7 +31,8 @@ def chain_factor(train: Sequence[Mesh], contact: Contact, sense: Sense) -> float
     ------
     GearError : there is no such contact in a mesh.
     """
-    return math.prod(transfer(mesh, contact, sense).torque_factor for mesh in train)
+    factor = math.prod(transfer(mesh, contact, sense).torque_factor for mesh in train)
+    return factor if math.isfinite(factor) else math.nan
 
 
 def motor_factors(

@@ -202,3 +202,43 @@ def test_ratios_beyond_all_use_are_refused() -> None:
     steep = SPUR | {"input": {"teeth": 100_000}, "output": {"teeth": 18}}
     with pytest.raises(AnalysisError, match="make 1e15"):
         asked(train=[steep] * 4, contact="worst")
+
+
+@pytest.mark.parametrize("first", ["up", "down"])
+def test_ratios_may_not_leave_and_come_back(first: str) -> None:
+    """A hundred million times faster and slower again, forty times: numbers end in between."""
+    near = {
+        "kind": "explicit",
+        "pitch_point": [1.0 - 1e-8, 0.0],
+        "contact": [1.0 - 8e-9, 2.5e-9],
+        "friction_coefficient": 0.1,
+    }
+    left, right = {"input_centre": [-1.0, 0.0]}, {"input_centre": [1.0, 0.0]}
+    up = near | left | {"output_centre": [1.0, 0.0]}
+    down = near | right | {"output_centre": [-1.0, 0.0]}
+    meshes = [up] * 40 + [down] * 40 if first == "up" else [down] * 40 + [up] * 40
+    with pytest.raises(AnalysisError, match=r"first 2 meshes make 1e-?16\.6"):
+        asked(train=meshes, contact="pitch")
+
+
+def all_but_locking() -> dict[str, Any]:
+    """Return the pair with the coefficient next below the one at which it locks in approach.
+
+    The force on the output wheel passes its centre where f (tan a + s / rb) = 1.
+    """
+    place, sine = math.hypot(0.024, 0.065), 0.024 / math.hypot(0.024, 0.065)
+    lever = math.tan(math.asin(sine)) + place / (0.3 * math.sqrt(1.0 - sine**2))
+    return PAIR | {"friction_coefficient": (1.0 - 1e-12) / lever}
+
+
+def test_meshes_that_all_but_lock_lock_together() -> None:
+    """One takes 1e12 times the torque; a hundred would take more than there are numbers for."""
+    one = answer(train=[all_but_locking()], contact="approach_end")
+    assert one.excess is not None
+    assert one.excess > 1e11
+    assert not one.self_locking
+    whole = answer(train=[all_but_locking()] * 100, contact="approach_end")
+    assert whole.self_locking
+    assert (whole.input_torque, whole.excess, whole.power_loss) == (None, None, None)
+    assert whole.efficiency == 0.0
+    assert not any(stage.self_locking for stage in whole.stages)
