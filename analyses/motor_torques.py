@@ -12,14 +12,15 @@ from analyses.gears import build_train, refused
 from analyses.loads import check_known_load, load_of, vectors
 from analyses.mechanisms import build
 from analyses.poses import check_poses, check_rows, obstacle_rows, obstacles, pose_conditions
-from mechanics.arrays import Booleans, Floats
+from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 from mechanics.effort import signed_efforts, worst_efforts, worst_load
+from mechanics.gears.contact import SIGNS
 from mechanics.gears.errors import GearError
 from mechanics.gears.mesh import Mesh
 from mechanics.gears.train import check_contact
 from mechanics.mechanism import Mechanism
-from mechanics.motor_torques import braking, chain_factor, motor_factors
+from mechanics.motor_torques import chain_factor, motor_factors, motor_senses
 from schemas.friction_torque import FrictionTorqueRequest, MotorTorqueResult
 from schemas.geared import GearedDecoupled
 from schemas.poses import Obstacle
@@ -27,7 +28,7 @@ from schemas.quantities import Model
 
 SECONDS_PER_POSE = 2e-5
 NUMBERS_PER_POSE = 27
-SENSES = ("driving", "back_driving")
+SENSES = {sign: sense for sense, sign in SIGNS.items()}
 
 
 class MotorTorques(Analysis[FrictionTorqueRequest]):
@@ -82,10 +83,10 @@ class MotorTorques(Analysis[FrictionTorqueRequest]):
             directions = worst_load(block, load)
             worst["worst_force"] = np.moveaxis(directions.force[motors], 2, 0)
             worst["worst_moment"] = np.moveaxis(directions.moment[motors], 2, 0)
-        brakes = _brakes(request, block, torques, start, stop)
-        factors = motor_factors(mechanism, *_factors(request), brakes)
+        senses = _senses(request, block, torques, start, stop)
+        factors = motor_factors(mechanism, *_factors(request), senses)
         torques = torques + 0.0  # no -0
-        told = {"torque": factors * torques, "frictionless": torques, "brakes": brakes}
+        told = {"torque": factors * torques, "frictionless": torques, "senses": senses}
         return {name: column.T for name, column in told.items()} | worst | found
 
     def assemble(self, request: FrictionTorqueRequest, stretches: Stretches) -> Model:
@@ -96,9 +97,9 @@ class MotorTorques(Analysis[FrictionTorqueRequest]):
             name: nullable_vectors(arrays[name]) if name in arrays else None
             for name in ("worst_force", "worst_moment")
         }
-        one = np.zeros((3, 1), dtype=bool)
         factors = [
-            motor_factors(mechanism, *_factors(request), brakes)[:, 0] for brakes in (one, ~one)
+            motor_factors(mechanism, *_factors(request), np.full((3, 1), sign))[:, 0]
+            for sign in (SIGNS["driving"], SIGNS["back_driving"])
         ]
         return MotorTorqueResult.model_construct(
             analysis=self.name,
@@ -106,7 +107,7 @@ class MotorTorques(Analysis[FrictionTorqueRequest]):
             contact=request.contact,
             torque=nullable(arrays["torque"]),
             frictionless_torque=nullable(arrays["frictionless"]),
-            sense=[[SENSES[int(brakes)] for brakes in row] for row in arrays["brakes"]],
+            sense=[[SENSES.get(sign) for sign in row] for row in arrays["senses"].tolist()],
             driving_factor=nullable(factors[0]),
             back_driving_factor=nullable(factors[1]),
             self_locking=np.isnan(factors[1]).tolist(),
@@ -145,9 +146,9 @@ def _factors(request: FrictionTorqueRequest) -> tuple[float, float]:
     )
 
 
-def _brakes(
+def _senses(
     request: FrictionTorqueRequest, block: Configuration, torques: Floats, start: int, stop: int
-) -> Booleans:
+) -> Floats:
     if request.angular_velocity is None:
-        return np.full(torques.shape, request.sense == "back_driving")
-    return braking(block, torques, vectors(request.angular_velocity, start, stop))
+        return np.full(torques.shape, SIGNS[request.sense])
+    return motor_senses(block, torques, vectors(request.angular_velocity, start, stop))

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Floats
+from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
-from mechanics.gears.contact import Sense
+from mechanics.gears.contact import SIGNS, Sense
 from mechanics.gears.mesh import Mesh
 from mechanics.gears.train import Contact, transfer
 from mechanics.mechanism import Mechanism
@@ -36,25 +36,29 @@ def chain_factor(train: Sequence[Mesh], contact: Contact, sense: Sense) -> float
 
 
 def motor_factors(
-    mechanism: Mechanism, driving: float, back_driving: float, brakes: Booleans
+    mechanism: Mechanism, driving: float, back_driving: float, senses: Floats
 ) -> Floats:
     """Return the factors on the motors' torques, shape (3, poses); 1 of a motor without a train.
+
+    NaN where a motor's sense is not known, or its train locks.
 
     Parameters
     ----------
     driving, back_driving : `chain_factor` in either sense.
-    brakes : array, shape (3, poses): which motors are driven back.
+    senses : array, shape (3, poses): `SIGNS` of the motors' senses; NaN where not known.
     """
     geared = np.empty(0, dtype=bool) if mechanism.wrist is None else mechanism.wrist.geared
-    factors: Floats = np.where(brakes, back_driving, driving)
+    known = np.where(senses < 0.0, back_driving, driving)
+    factors: Floats = np.where(np.isnan(senses), np.nan, known)
     return np.where(geared[:, None], factors, 1.0)
 
 
-def braking(block: Configuration, torques: Floats, turning: Floats) -> Booleans:
-    """Return, shape (3, poses), which motors are driven back: their torque is against their rate.
+def motor_senses(block: Configuration, torques: Floats, turning: Floats) -> Floats:
+    """Return `SIGNS` of the motors' senses, shape (3, poses): back where torque is against rate.
 
     Friction turns the torque's size, not its sign, so what a motor bears without it tells; a motor
-    that stands still is taken for one about to drive.
+    that stands still is taken for one about to drive. NaN where there is no torque, and where the
+    wrist's axes align, so that no rates of the motors make every turn.
 
     Parameters
     ----------
@@ -63,5 +67,6 @@ def braking(block: Configuration, torques: Floats, turning: Floats) -> Booleans:
     """
     twists = np.concatenate([np.zeros_like(turning), turning])
     rates = actuator_rates(block, twists)[block.mechanism.leg_count :]
-    against: Booleans = torques * rates < 0.0
-    return against
+    powers = torques * rates
+    senses = np.where(powers < 0.0, SIGNS["back_driving"], SIGNS["driving"])
+    return np.where(np.isnan(powers), np.nan, senses)

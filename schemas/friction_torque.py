@@ -208,7 +208,10 @@ class FrictionTorqueResult(Model):
     efficiency: float = Field(description="Power out over power in; 0 if the train locks.")
     loss: float = Field(description="Share of the power in that is lost, 0 to 1.")
     power_loss: float | None = Field(description="Null without output_speed, or if locked. [W]")
-    self_locking: bool = Field(description="Whether a mesh locks in this sense at this contact.")
+    self_locking: bool = Field(
+        description="Whether the train locks in this sense at this contact: one of its meshes "
+        "does, or all together multiply the torque beyond every number."
+    )
     stages: list[GearStage] = Field(description="Mesh by mesh, from the output to the motor.")
 
 
@@ -228,12 +231,14 @@ class MotorTorqueResult(Model):
     working_mode: WorkingMode
     contact: Contact
     torque: Torques = Field(
-        description="With friction, shape (poses, 3); null also where a train that the load would "
-        "have to drive back locks. Under load the greatest over its directions. [N m]"
+        description="With friction, shape (poses, 3); null also where the motor's train locks in "
+        "its sense, or the sense is null. Under load the greatest over its directions. [N m]"
     )
     frictionless_torque: Torques = Field(description="Without friction, likewise. [N m]")
-    sense: list[list[Sense]] = Field(
-        description="Whether each motor drives or is driven back, shape (poses, 3)."
+    sense: list[list[Sense | None]] = Field(
+        description="Whether each motor drives or is driven back, shape (poses, 3); null under "
+        "angular_velocity where there is no torque, and where the wrist's axes align (ry a right "
+        "angle), so that no rates of the motors make every turn."
     )
     driving_factor: Factors = Field(
         description="Of each motor, torque over that without friction while it drives; null if its "

@@ -193,6 +193,32 @@ def test_poses_out_of_reach_have_no_torques() -> None:
     assert {entry["reason"] for entry in found["obstacles"]} == {"reach"}
 
 
+def test_nobody_knows_the_sense_of_motors_whose_axes_align() -> None:
+    aligned = [0.05, 0.0, 0.0, 0.3, 0.5 * math.pi, 0.2]
+    body = {**ASKED, "poses": [aligned, AHEAD, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]]}
+    found = answered(
+        {**body, "known_load": {"moment": [1.0, 2.0, 3.0]}, "angular_velocity": [1, 2, 3]}
+    )
+    assert [None in row for row in found["sense"]] == [True, False, True]
+    plain, told = found["frictionless_torque"][0], found["torque"][0]
+    assert None not in plain
+    assert told == [None, None, plain[2]]
+
+
+def test_meshes_that_all_but_lock_lock_together() -> None:
+    """Each takes about a million times the torque, a hundred more than there are numbers for."""
+    place, sine = math.hypot(0.024, 0.065), 0.024 / math.hypot(0.024, 0.065)
+    lever = math.tan(math.asin(sine)) + place / (0.3 * math.sqrt(1.0 - sine**2))
+    pair = MESH | {"friction_coefficient": (1.0 - 1e-6) / lever}
+    few, many = (
+        answered({**ASKED, "mechanism": GEARED | {"train": [pair] * n}, "contact": "approach_end"})
+        for n in (2, 100)
+    )
+    assert few["driving_factor"][0] > 1e10
+    assert many["driving_factor"] == [None, None, 1.0]
+    assert many["torque"][0][:2] == [None, None]
+
+
 def test_the_starters_gears_make_its_k() -> None:
     spec = STARTERS["geared_decoupled"].model_dump()
     ratios = [mesh["output"]["teeth"] / mesh["input"]["teeth"] for mesh in spec["train"]]

@@ -94,7 +94,7 @@ from .mesh_curve import MeshCurve
 from .mesh_geometry import MeshGeometry
 from .motor_torque_result import MotorTorqueResult
 from .motor_torque_result_contact import MotorTorqueResultContact
-from .motor_torque_result_sense_item_item import MotorTorqueResultSenseItemItem
+from .motor_torque_result_sense_item_item_type_0 import MotorTorqueResultSenseItemItemType0
 from .motor_torque_result_working_mode_item import MotorTorqueResultWorkingModeItem
 from .obstacle import Obstacle
 from .obstacle_in_mode import ObstacleInMode
@@ -236,7 +236,7 @@ __all__ = (
     "MeshGeometry",
     "MotorTorqueResult",
     "MotorTorqueResultContact",
-    "MotorTorqueResultSenseItemItem",
+    "MotorTorqueResultSenseItemItemType0",
     "MotorTorqueResultWorkingModeItem",
     "Obstacle",
     "ObstacleInMode",

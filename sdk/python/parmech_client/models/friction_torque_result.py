@@ -30,7 +30,8 @@ class FrictionTorqueResult:
         loss (float): Share of the power in that is lost, 0 to 1.
         power_loss (float | None): Null without output_speed, or if locked. [W]
         ratio (float): Motor torque over output torque without friction.
-        self_locking (bool): Whether a mesh locks in this sense at this contact.
+        self_locking (bool): Whether the train locks in this sense at this contact: one of its meshes does, or all
+            together multiply the torque beyond every number.
         sense (FrictionTorqueResultSense):
         stages (list[GearStage]): Mesh by mesh, from the output to the motor.
     """

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 from attrs import define as _attrs_define
 
 from ..models.motor_torque_result_contact import MotorTorqueResultContact, check_motor_torque_result_contact
-from ..models.motor_torque_result_sense_item_item import (
-    MotorTorqueResultSenseItemItem,
-    check_motor_torque_result_sense_item_item,
+from ..models.motor_torque_result_sense_item_item_type_0 import (
+    MotorTorqueResultSenseItemItemType0,
+    check_motor_torque_result_sense_item_item_type_0,
 )
 from ..models.motor_torque_result_working_mode_item import (
     MotorTorqueResultWorkingModeItem,
@@ -39,10 +39,11 @@ class MotorTorqueResult:
             frictionless_torque (list[list[float | None]]): Without friction, likewise. [N m]
             obstacles (list[Obstacle]):
             self_locking (list[bool]): Of each motor, whether no load on the platform drives it back.
-            sense (list[list[MotorTorqueResultSenseItemItem]]): Whether each motor drives or is driven back, shape (poses,
-                3).
-            torque (list[list[float | None]]): With friction, shape (poses, 3); null also where a train that the load would
-                have to drive back locks. Under load the greatest over its directions. [N m]
+            sense (list[list[MotorTorqueResultSenseItemItemType0 | None]]): Whether each motor drives or is driven back,
+                shape (poses, 3); null under angular_velocity where there is no torque, and where the wrist's axes align (ry a
+                right angle), so that no rates of the motors make every turn.
+            torque (list[list[float | None]]): With friction, shape (poses, 3); null also where the motor's train locks in
+                its sense, or the sense is null. Under load the greatest over its directions. [N m]
             working_mode (list[MotorTorqueResultWorkingModeItem]):
             worst_force (list[list[list[float] | None]] | None): Shape (poses, 3, 3): the force that asks most of the motor;
                 null without a load. [N]
@@ -57,7 +58,7 @@ class MotorTorqueResult:
     frictionless_torque: list[list[float | None]]
     obstacles: list[Obstacle]
     self_locking: list[bool]
-    sense: list[list[MotorTorqueResultSenseItemItem]]
+    sense: list[list[MotorTorqueResultSenseItemItemType0 | None]]
     torque: list[list[float | None]]
     working_mode: list[MotorTorqueResultWorkingModeItem]
     worst_force: list[list[list[float] | None]] | None
@@ -101,7 +102,11 @@ class MotorTorqueResult:
         for sense_item_data in self.sense:
             sense_item = []
             for sense_item_item_data in sense_item_data:
-                sense_item_item: str = sense_item_item_data
+                sense_item_item: None | str
+                if isinstance(sense_item_item_data, str):
+                    sense_item_item = sense_item_item_data
+                else:
+                    sense_item_item = sense_item_item_data
                 sense_item.append(sense_item_item)
 
             sense.append(sense_item)
@@ -250,7 +255,21 @@ class MotorTorqueResult:
             sense_item = []
             _sense_item = sense_item_data
             for sense_item_item_data in _sense_item:
-                sense_item_item = check_motor_torque_result_sense_item_item(sense_item_item_data)
+
+                def _parse_sense_item_item(data: object) -> MotorTorqueResultSenseItemItemType0 | None:
+                    if data is None:
+                        return data
+                    try:
+                        if not isinstance(data, str):
+                            raise TypeError()
+                        sense_item_item_type_0 = check_motor_torque_result_sense_item_item_type_0(data)
+
+                        return sense_item_item_type_0
+                    except (TypeError, ValueError, AttributeError, KeyError):
+                        pass
+                    return cast(MotorTorqueResultSenseItemItemType0 | None, data)
+
+                sense_item_item = _parse_sense_item_item(sense_item_item_data)
 
                 sense_item.append(sense_item_item)
 
