@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from tests.service.bodies import grid
+from tests.service.bodies import FIVE_BAR, grid
 from tests.service.services import Service, assert_problem
 
 PAIR: dict[str, Any] = {
@@ -62,7 +62,7 @@ REFUSED: list[tuple[dict[str, Any], str, str]] = [
     (train(*[SPUR | {"input": wheel(20000)}] * 5), "/train", "1e13.5"),
     (train(), "/train", "at least 1"),
     (train(SPUR, contact="best"), "/contact", "best"),
-    (train(SPUR, mechanism={"kind": "five_bar"}), "/mechanism", "not permitted"),
+    (train(SPUR, mechanism=FIVE_BAR), "", "either train"),
     (train(SPUR | {"kind": "worm"}), "/train/0/kind", "worm"),
 ]
 
