@@ -107,7 +107,7 @@ def _curve(
 
 def _subtitle(request: FrictionTorqueRequest, stages: Sequence[Stage], shown: int) -> str:
     torque = stages[-1].input_torque
-    motor = "self-locking" if math.isnan(torque) else f"{torque:.4g} N·m at the motor"
+    motor = f"{torque:.4g} N·m at the motor" if math.isfinite(torque) else "self-locking"
     parts = [f"{request.load_torque:g} N·m at the output", motor, CONTACTS[request.contact]]
     if shown < len(stages):
         parts.append(f"{shown} of {len(stages)} meshes, the others' base pitch being unknown")

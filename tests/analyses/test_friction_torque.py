@@ -242,3 +242,8 @@ def test_meshes_that_all_but_lock_lock_together() -> None:
     assert (whole.input_torque, whole.excess, whole.power_loss) == (None, None, None)
     assert whole.efficiency == 0.0
     assert not any(stage.self_locking for stage in whole.stages)
+
+
+def test_a_picture_says_that_meshes_lock_together() -> None:
+    request = asked(train=[all_but_locking()] * 100, contact="approach_end")
+    assert ", self-locking, " in analyses.picture(request, lambda: [], None).subtitle
