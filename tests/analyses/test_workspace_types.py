@@ -14,6 +14,7 @@ import analyses
 from analyses.workspace_setup import set_up
 from mechanics.workspace import reason_codes
 from schemas.analyses import parse_request
+from schemas.starters import STARTERS
 from schemas.workspace import WorkspaceRequest
 from tests.oracles.draws import DRAWS
 
@@ -303,3 +304,13 @@ def test_types_need_their_motion(mechanism: str, kind: str) -> None:
     with pytest.raises(analyses.AnalysisError) as error:
         asked(mechanism=draw.wire, type=kind, grid=grid, **{"class": "theoretical"})
     assert "/type" in [pointer for pointer, _ in error.value.errors]
+
+
+def test_orientations_tried_one_by_one_are_not_tried_again_for_every_few_nodes() -> None:
+    request = asked(
+        **{"class": "effective", "type": "maximal", "fixed": {"z": 0.7}},
+        mechanism=STARTERS["gough_stewart"].model_dump(mode="json"),
+        grid=[{"coordinate": c, "min": -0.1, "max": 0.1, "step": 0.05} for c in "xy"],
+        effective={"load": {"force": 10.0}, "max_effort": 40.0},
+    )
+    assert analyses.plan(request, 1.0).items_per_tile == 25
