@@ -71,8 +71,10 @@ class Workspace(Analysis[WorkspaceRequest]):
         return cut(self.items(request), seconds, longest, line, least)
 
     def seconds(self, request: WorkspaceRequest) -> float:
-        """Return the cost of all nodes, and of what is added to them. [s]"""
-        return super().seconds(request) + geometric_seconds(request, set_up(request))
+        """Return the cost of all nodes, and of what is added to them, however few they are. [s]"""
+        setup = set_up(request)
+        added = seconds_per_tile(setup) + geometric_seconds(request, setup)
+        return super().seconds(request) + added
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""
