@@ -67,6 +67,7 @@ endif
 
 bench: $(VENV)/.bench ## Measure the kernels against floors and rivals
 	$(BIN)/python -m benchmarks
+	$(BIN)/python -m benchmarks.assembly
 
 $(VENV)/.bench: $(STAMP)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check \

@@ -174,10 +174,10 @@ def _rows(rows: list[list[float]]) -> Floats:
 
 def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
     """Return what is known of modes, one row each, also where there are none."""
-    coordinates, legs = len(mechanism.motion.coordinates), mechanism.drive_count
+    coordinates, drives = len(mechanism.motion.coordinates), mechanism.drive_count
     return {
         "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
-        "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, legs),
+        "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, drives),
         "determinants": np.array([m.determinant for m in modes], dtype=float),
         "sides": np.array([side(mechanism, m.determinant) for m in modes], dtype=int),
         "residuals": np.array([m.residual for m in modes], dtype=float),

@@ -160,7 +160,8 @@ def _stages(
     arrays: Arrays,
 ) -> list[GearStage]:
     told = []
-    for number, (mesh, stage) in enumerate(zip(train, stages, strict=True)):
+    rows = zip(train, stages, _factors(stages), strict=True)
+    for number, (mesh, stage, factor) in enumerate(rows):
         found = stage.transfer
         told.append(
             GearStage.model_construct(
@@ -168,7 +169,7 @@ def _stages(
                 input_torque=_number(stage.input_torque),
                 frictionless_output_torque=stage.frictionless_output_torque,
                 frictionless_input_torque=stage.frictionless_input_torque,
-                excess=_number(_factors(stages)[number] - 1.0),
+                excess=_number(factor - 1.0),
                 ratio=mesh.ratio,
                 efficiency=found.efficiency,
                 loss=1.0 - found.efficiency,

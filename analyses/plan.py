@@ -16,9 +16,18 @@ class Plan:
     items_per_tile: int
 
 
-def cut(items: int, seconds_per_item: float, tile_seconds: float, line: int = 1) -> Plan:
-    """Return a plan of tiles of about `tile_seconds` or less, of whole lines where several fit."""
-    shared = max(int(LEAST_SECONDS / seconds_per_item), -(-items // LEAST_TILES))
+def cut(
+    items: int,
+    seconds_per_item: float,
+    tile_seconds: float,
+    line: int = 1,
+    least_seconds: float = LEAST_SECONDS,
+) -> Plan:
+    """Return a plan of tiles of about `tile_seconds` or less, of whole lines where several fit.
+
+    Only tiles longer than `least_seconds` are made shorter, so that there are enough of them.
+    """
+    shared = max(int(least_seconds / seconds_per_item), -(-items // LEAST_TILES))
     fitting = max(1, min(int(tile_seconds / seconds_per_item), shared))
     whole_lines = fitting - fitting % line if fitting >= line else fitting
     return Plan(items, min(whole_lines, items))

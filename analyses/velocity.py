@@ -53,8 +53,8 @@ class Velocity(Analysis[VelocityRequest]):
 
     def result_bytes(self, request: VelocityRequest) -> int:
         """Return the size of all rates in JSON. [B]"""
-        legs = _mechanism(request).drive_count
-        return len(request.poses) * (6 + legs * NUMBERS_PER_LEG) * BYTES_PER_NUMBER
+        drives = _mechanism(request).drive_count
+        return len(request.poses) * (6 + drives * NUMBERS_PER_LEG) * BYTES_PER_NUMBER
 
     def compute(self, request: VelocityRequest, start: int, stop: int) -> Arrays:
         """Return rates and obstacles of the poses `start` to `stop`."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from analyses.analysis import Analysis, Arrays, Stretches
 from analyses.errors import AnalysisError
-from analyses.plan import Plan
+from analyses.plan import LEAST_SECONDS, Plan, cut
 from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
@@ -65,12 +65,16 @@ class Workspace(Analysis[WorkspaceRequest]):
 
     def plan(self, request: WorkspaceRequest, tile_seconds: float) -> Plan:
         """Return how the grid is cut, so that what each orientation costs once stays a share."""
-        once = seconds_per_tile(set_up(request))
-        return super().plan(request, max(tile_seconds, 3.0 * once))
+        worth = 3.0 * seconds_per_tile(set_up(request))
+        seconds, line = self.seconds_per_item(request), self.line(request)
+        longest, least = max(tile_seconds, worth), max(LEAST_SECONDS, worth)
+        return cut(self.items(request), seconds, longest, line, least)
 
     def seconds(self, request: WorkspaceRequest) -> float:
-        """Return the cost of all nodes, and of what is added to them. [s]"""
-        return super().seconds(request) + geometric_seconds(request, set_up(request))
+        """Return the cost of all nodes, and of what is added to them, however few they are. [s]"""
+        setup = set_up(request)
+        added = seconds_per_tile(setup) + geometric_seconds(request, setup)
+        return super().seconds(request) + added
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""

@@ -61,7 +61,7 @@ class LeggedMechanism(Model):
 
     @field_validator("actuator_limits", mode="after")
     @classmethod
-    def _one_limit_per_leg(
+    def _one_limit_per_drive(
         cls, limits: list[ActuatorLimit | None] | ActuatorLimit | None, info: ValidationInfo
     ) -> list[ActuatorLimit | None]:
         count = cls.count_drives(info.data)
@@ -73,7 +73,7 @@ class LeggedMechanism(Model):
 
     @field_validator("working_mode", mode="after")
     @classmethod
-    def _one_sign_per_leg(cls, mode: WorkingMode | None, info: ValidationInfo) -> WorkingMode:
+    def _one_sign_per_drive(cls, mode: WorkingMode | None, info: ValidationInfo) -> WorkingMode:
         count = cls.count_drives(info.data)
         ones: WorkingMode = [1] * count
         signs = (list(cls.default_working_mode) or ones) if mode is None else mode

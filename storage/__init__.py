@@ -25,7 +25,6 @@ from storage.records import (
     JobError,
     JobState,
     NewJob,
-    Renewal,
     StoredMechanism,
 )
 from storage.upgrade import migrate
@@ -52,7 +51,6 @@ __all__ = [
     "NewJob",
     "Queue",
     "QueueFull",
-    "Renewal",
     "StorageRefusal",
     "StoredMechanism",
     "migrate",

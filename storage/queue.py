@@ -14,7 +14,7 @@ from sqlalchemy import (
 from storage.clock import now
 from storage.database import Database, insert_or_nothing
 from storage.errors import LeaseLost
-from storage.records import ErrorKind, Job, JobError, JobState, Renewal
+from storage.records import ErrorKind, Job, JobError, JobState
 from storage.rows import cancelled, ended, to_job
 from storage.tables import jobs, requests, results, tiles
 
@@ -81,14 +81,13 @@ class Queue:
             row = connection.execute(taken.returning(*jobs.c)).one_or_none()
         return None if row is None else to_job(row)
 
-    def renew(self, job: Job) -> Renewal:
-        """Extend the lease of a job."""
+    def renew(self, job: Job) -> bool:
+        """Extend the lease of a job, and return whether it is still ours."""
         renewal = (
             update(jobs).where(self._mine(job)).values(lease_until=now() + self._lease_seconds)
         )
         with self._database.writing() as connection:
-            flags = connection.execute(renewal.returning(jobs.c.cancel_requested)).all()
-        return Renewal(ok=bool(flags), cancel_requested=any(flag for (flag,) in flags))
+            return connection.execute(renewal.returning(jobs.c.id)).first() is not None
 
     def to_cancel(self) -> set[str]:
         """Return the ids of this engine's jobs that are asked to stop."""

@@ -147,11 +147,3 @@ class Job:
         """Return the first item of a tile and the one after its last."""
         start = tile * self.items_per_tile
         return start, min(start + self.items_per_tile, self.items)
-
-
-@dataclass(frozen=True)
-class Renewal:
-    """Whether a job is still ours after renewing its lease, and whether it is to stop."""
-
-    ok: bool
-    cancel_requested: bool

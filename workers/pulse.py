@@ -97,7 +97,7 @@ class Pulse:
         with self._lock:
             held = tuple(self._held.values())
         for job in held:
-            if not self._queue.renew(job).ok:
+            if not self._queue.renew(job):
                 with self._lock:
                     # Unless it ended meanwhile by our own hand.
                     if self._held.get(job.id) is job:

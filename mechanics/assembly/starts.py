@@ -1,9 +1,10 @@
 """The platform whose forty complex solutions are known, from which all others are reached.
 
-Its coefficients are random complex numbers; `starts.npz` keeps three such platforms with their
-solutions. `draw` makes another: monomials at its solutions are the null space of all multiples
-of the equations up to degree eight (Macaulay's matrix), and multiplying them by an unknown has
-the solutions as eigenvectors.
+Its coefficients are random complex numbers, normal with the size that platforms have: 0.5, of the
+last two 0.1, in the last row 0.2. `starts.npz` keeps three such platforms with their solutions.
+`solve` has found these: monomials at the solutions are the null space of all multiples of the
+equations up to degree eight (Macaulay's matrix), and multiplying them by an unknown has the
+solutions as eigenvectors.
 """
 
 from functools import cache
@@ -58,15 +59,6 @@ def read() -> list[tuple[Complexes, Complexes]]:
 def prepared(coefficients: Complexes, solutions: Complexes) -> Start:
     """Return a platform of these coefficients and solutions e, S3, D3, ready for `track`."""
     return Start(in_all_frames(coefficients).view(float), *to_frames(solutions))
-
-
-def draw(random: np.random.Generator) -> Complexes:
-    """Return random coefficients, shape (5, 12), of the size that platforms have."""
-    scales = np.full((5, 12), 0.5)
-    scales[:4, 10:], scales[4, 10:] = 0.1, 0.2
-    real, imaginary = random.normal(size=(2, 5, 12))
-    drawn: Complexes = scales * (real + 1j * imaginary)
-    return drawn
 
 
 def solve(coefficients: Complexes, random: np.random.Generator) -> Complexes:

@@ -8,10 +8,9 @@ from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
 from mechanics.kernels import bands
 from mechanics.kernels.line_ends import LIMITS, NOTHING
+from mechanics.kernels.waves import TURN
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
-
-TURN = 2.0 * np.pi
 
 
 class ActuatorLimits(Condition):

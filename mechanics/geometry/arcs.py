@@ -72,22 +72,6 @@ class Loop:
         """Whether the region lies outside."""
         return self.area < 0.0
 
-    def trace(self, sagitta: float) -> Floats:
-        """Return points along the loop, for drawing; shape (points, 2), the first not repeated.
-
-        Parameters
-        ----------
-        sagitta : how far chords may lie from their arcs. [m]
-        """
-        pieces = []
-        for arc in self.arcs:
-            step = 2.0 * np.arccos(1.0 - min(0.5, sagitta / arc.radius))
-            count = max(1, int(np.ceil(abs(arc.end - arc.start) / step)))
-            angles = np.linspace(arc.start, arc.end, count, endpoint=False)
-            around = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-            pieces.append(np.asarray(arc.centre) + arc.radius * around)
-        return np.concatenate(pieces)
-
 
 @dataclass(frozen=True)
 class ArcRegion:

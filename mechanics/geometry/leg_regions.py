@@ -7,6 +7,7 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.errors import NotOfferedError
 from mechanics.geometry.annuli import Annulus
+from mechanics.geometry.arcs import TURN
 from mechanics.geometry.shells import Shell
 from mechanics.legs import CRANK, RAIL, STRUT, Legs
 from mechanics.mechanism import Mechanism
@@ -15,7 +16,6 @@ PLANE, SPACE = ("x", "y"), ("x", "y", "z")
 """The translations of the motions that have regions in the plane and in space."""
 
 _PARALLEL = 1e-12
-_TURN = 2.0 * np.pi
 
 
 def leg_annuli(mechanism: Mechanism, pose: Floats, *, limited: bool) -> tuple[Annulus, ...]:
@@ -127,7 +127,7 @@ def require_translations(mechanism: Mechanism, translations: tuple[str, ...]) ->
 def require_no_crank_limits(legs: Legs, leg: int) -> None:
     """Raise NotOfferedError if the leg is a crank that its limits keep from turning around."""
     lower, upper = float(legs.lower_limit[leg]), float(legs.upper_limit[leg])
-    if legs.drive[leg] == CRANK and isfinite(lower) and isfinite(upper) and upper - lower < _TURN:
+    if legs.drive[leg] == CRANK and isfinite(lower) and isfinite(upper) and upper - lower < TURN:
         raise NotOfferedError("the limits of its crank cut its region along other lines", leg=leg)
 
 

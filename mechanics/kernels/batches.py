@@ -7,7 +7,8 @@ filled up with copies of its last pose, so that every loop has its full length.
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.kernels.cofactors import LANES, expand
+from mechanics.kernels.cofactors import expand
+from mechanics.kernels.cofactors_six import LANES
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.efforts import invert, worst_into
 from mechanics.kernels.jacobians import project, rod_wrench

@@ -78,20 +78,6 @@ def place(
 
 
 @kernel
-def write_pose(
-    node: int, minima: Floats, steps: Floats, shape: Integers, columns: Integers, pose: Floats
-) -> None:
-    """Write the coordinates of a flat node that the grid's axes drive, shape (coordinates,).
-
-    `columns` says which coordinate each axis drives; the last axis is the fastest.
-    """
-    rest = node
-    for a in range(shape.size - 1, -1, -1):
-        pose[columns[a]] = minima[a] + (rest % shape[a]) * steps[a]
-        rest //= shape[a]
-
-
-@kernel
 def grid_poses(
     nodes: Integers,
     minima: Floats,

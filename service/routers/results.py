@@ -143,19 +143,19 @@ def _gridded(stores: Stores, job_id: str) -> WorkspaceRequest:
     request = analyses.parse(stores.jobs.request(job_id))
     if isinstance(request, WorkspaceRequest):
         return request
-    raise _no_grid(request)
+    raise _lacking(request, "grid")
 
 
 def _pictured(stores: Stores, job_id: str) -> Request:
     request = analyses.parse(stores.jobs.request(job_id))
     if analyses.has_figure(request.analysis):
         return request
-    raise _no_grid(request)
+    raise _lacking(request, "figure")
 
 
-def _no_grid(request: Request) -> Refusal:
-    detail = f"the analysis {request.analysis} has no grid; fetch the result"
-    return Refusal("no-grid", 404, "There is no grid", detail)
+def _lacking(request: Request, what: str) -> Refusal:
+    detail = f"the analysis {request.analysis} has no {what}; fetch the result"
+    return Refusal(f"no-{what}", 404, f"There is no {what}", detail)
 
 
 def _accepted(accept: str | None, formats: tuple[str, ...]) -> Any:  # noqa: ANN401

@@ -23,6 +23,11 @@ def test_tiles_are_worth_sending() -> None:
     assert plan.items_per_tile * 3e-7 == pytest.approx(LEAST_SECONDS, rel=1e-5)
 
 
+def test_what_every_tile_costs_anew_is_not_cut_smaller() -> None:
+    plan = cut(10**6, 3e-6, 6.0, least_seconds=1.5)
+    assert plan.items_per_tile * 3e-6 == pytest.approx(1.5, rel=1e-5)
+
+
 def test_what_is_asked_bounds_every_tile() -> None:
     assert cut(10**6, 1e-6, 0.001).items_per_tile == pytest.approx(1000, rel=1e-3)
 

@@ -194,13 +194,6 @@ def test_an_arc_ends_where_the_next_begins() -> None:
     np.testing.assert_allclose(last, np.roll(first, -1, axis=0), atol=1e-14)
 
 
-def test_a_traced_loop_lies_within_its_sagitta() -> None:
-    (outside, _) = region((1, 2, 0.5, 1)).loops
-    points = outside.trace(1e-3)
-    chords = 0.5 * (points + np.roll(points, -1, axis=0)) - [1, 2]
-    assert 1 - np.linalg.norm(chords, axis=1).min() <= 1e-3
-
-
 def test_an_annulus_without_an_outer_circle_takes_its_hole_out() -> None:
     found = region((0, 0, 0, 1), (0.2, 0, 0.5, math.inf))
     assert found.area == pytest.approx(0.75 * math.pi, rel=1e-14)

@@ -52,12 +52,12 @@ def test_a_result_is_the_direct_answer(api: Service, run: Callable[..., dict[str
 
 
 @pytest.mark.parametrize("what", ["grid", "figure"])
-def test_what_has_no_grid_says_so(
+def test_what_has_no_grid_and_no_figure_says_so(
     api: Service, run: Callable[..., dict[str, Any]], what: str
 ) -> None:
     answer = api.get(run(INVERSE)["links"]["self"] + f"/{what}")
     assert_problem(answer, 404)
-    assert answer.json()["type"].endswith("no-grid")
+    assert answer.json()["type"].endswith(f"no-{what}")
 
 
 def test_one_axis_is_a_figure(api: Service, run: Callable[..., dict[str, Any]]) -> None:
