@@ -13,6 +13,8 @@ from benchmarks import rivals
 from mechanics import effort
 from mechanics import fields as kept_fields
 from mechanics.arrays import Floats
+from mechanics.assembly.braked import BrakedLegs
+from mechanics.assembly.guess import Convergence, close_nearby
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
@@ -20,7 +22,7 @@ from mechanics.families.delta import delta_linear
 from mechanics.families.hexapods import gough_stewart
 from mechanics.families.planar_3rrr import planar_3rrr
 from mechanics.grid import Axis, Grid
-from mechanics.kernels import batches, newton
+from mechanics.kernels import batches
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.orientations import Orientations, scan_orientations
@@ -263,39 +265,34 @@ def inverse_of_struts() -> None:
 
 
 def forward_of_struts() -> None:
-    """Compare the kernel of Newton's iteration on six rods, a pose, with basic-robotics' way.
+    """Compare Newton's iteration from a guess, a pose, with basic-robotics' forward kinematics.
 
-    An answer from a guess goes through `assembly.guess`, for legs of any kind, and costs more.
+    What is compared is where guesses lead; the determinant and sign of each mode come on top.
     """
     mechanism, rows = hexapod()
     rows = np.ascontiguousarray(rows[:100_000] * [1.0, 1.0, 1.0, 0.3, 0.3, 0.3])
     poses = np.ascontiguousarray(rows.T)
-    count = poses.shape[1]
-    lengths = np.empty((6, count))
+    lengths = np.empty((6, len(rows)))
     batches.actuators(mechanism.motion.kernel, mechanism.legs, poses, lengths)
-    platform = mechanism.legs.platform_point
-    base = np.repeat(mechanism.legs.base_point[:, :, None], count, axis=2)
-    places, turns = np.empty((3, count)), np.empty((9, count))
-    iterations, residuals = np.zeros(count, dtype=np.int64), np.empty(count)
-    converged = np.empty(count, dtype=bool)
+    starts = range(0, len(rows), POSES_PER_BLOCK)
+    blocks = [np.ascontiguousarray(lengths[:, a : a + POSES_PER_BLOCK]) for a in starts]
+    guesses = np.repeat([[0.0], [0.0], [1.0], [0.0], [0.0], [0.0]], POSES_PER_BLOCK, axis=1)
 
-    def ours() -> None:
-        places[:] = [[0.0], [0.0], [1.0]]
-        turns[:] = np.eye(3).reshape(9, 1)
-        newton.solve_rods(
-            base, platform, lengths, places, turns, 0.7, 20, iterations, residuals, converged
-        )
+    def ours() -> list[Convergence]:
+        legs = [BrakedLegs(mechanism, block) for block in blocks]
+        return [close_nearby(some, guesses[:, : some.actuators.shape[1]]) for some in legs]
 
-    ours()
-    assert converged.all(), f"{np.count_nonzero(~converged)} guesses did not converge"
-    assert np.abs(places - poses[:3]).max() < 1e-9
-    forward = rivals.basic_robotics_forward(mechanism.legs.base_point, platform)
+    found = np.concatenate([one.poses for one in ours()], axis=1)
+    assert all(one.converged.all() for one in ours()), "some guesses did not converge"
+    assert np.abs(found - poses).max() < 1e-9
+    joints = mechanism.legs.base_point, mechanism.legs.platform_point
+    forward = rivals.basic_robotics_forward(*joints)
     asked = lengths[:, :50].T.copy()
     difference = np.abs([forward(row) for row in asked] - poses[:3, :50].T).max()
     assert difference < 1e-3, f"basic-robotics and we differ by {difference} m"
     loop = partial(rivals.for_each, forward, asked)
-    name = "6-SPS, Newton's kernel, a pose"
-    compare(name, ours, count, "basic-robotics, FK", loop, rival_items=50)
+    name = "6-SPS from a guess, a pose"
+    compare(name, ours, len(rows), "basic-robotics, FK", loop, rival_items=50)
 
 
 def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from mechanics.arrays import Booleans, Floats
 from mechanics.assembly import spheres, spherical, tetrahedra, turning
 from mechanics.assembly.braked import BrakedLegs
-from mechanics.assembly.guess import STEPS, close_legs
+from mechanics.assembly.guess import STEPS, close_nearby
 from mechanics.assembly.normal_form import normal_form
 from mechanics.assembly.proposals import Proposals
 from mechanics.assembly.rods import Rods
@@ -142,7 +142,7 @@ def _nearby(legs: BrakedLegs, start: Floats, iterations: int) -> list[NearbyMode
     possible = np.flatnonzero(legs.possible)
     braked = legs.take(possible)
     with np.errstate(invalid="ignore", divide="ignore"):
-        closed = close_legs(braked, start[:, possible], iterations)
+        closed = close_nearby(braked, start[:, possible], iterations)
         modes = describe(braked, np.arange(possible.size), closed.poses)
     for i, row in enumerate(possible):
         reached = bool(closed.converged[i])

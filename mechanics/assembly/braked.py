@@ -1,5 +1,6 @@
 """Legs whose drives stand still: where their rods begin, and what they ask of a pose."""
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -44,11 +45,11 @@ class BrakedLegs:
         self.mechanism = mechanism
         self.actuators = np.ascontiguousarray(actuators)
         of = mechanism.legs
-        driven = (of.drive == CRANK)[:, None]
+        cranks = np.flatnonzero(of.drive == CRANK)
         # Nothing turns by what is no angle; such cases are not `possible`.
-        angles = np.where(driven & np.isfinite(actuators), actuators, 0.0)
-        first = np.where(driven, np.cos(angles), actuators)
-        self._travel = np.stack([first, np.where(driven, np.sin(angles), 0.0)], axis=1)
+        angles = np.where(np.isfinite(actuators[cranks]), actuators[cranks], 0.0)
+        self._travel = np.stack([self.actuators, np.zeros_like(self.actuators)], axis=1)
+        self._travel[cranks, 0], self._travel[cranks, 1] = np.cos(angles), np.sin(angles)
         struts = (of.drive == STRUT)[:, None]
         self.rod_lengths = np.where(struts, actuators, of.rod_length[:, None])
         self._scales = np.where(struts, actuators, of.rod_scale[:, None])
@@ -64,7 +65,7 @@ class BrakedLegs:
         possible: Booleans = np.all(sound, axis=0)
         return possible
 
-    @property
+    @cached_property
     def rod_starts(self) -> Floats:
         """The ends B of the rods that the drives move, shape (legs, 3, cases). [m]"""
         of = self.mechanism.legs
