@@ -70,7 +70,9 @@ class Workspace(Analysis[WorkspaceRequest]):
 
     def seconds(self, request: WorkspaceRequest) -> float:
         """Return the cost of all nodes, and of what is added to them. [s]"""
-        return super().seconds(request) + geometric_seconds(request, set_up(request))
+        setup = set_up(request)
+        once = seconds_per_tile(setup) + geometric_seconds(request, setup)
+        return super().seconds(request) + once
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""
