@@ -128,7 +128,7 @@ def _across(axes: Floats, directions: Floats) -> Floats:
     """Return directions that are nearly so, shape (legs, 3), perpendicular to their axes."""
     off = np.sum(directions * axes, axis=1, keepdims=True)
     # What rounding alone has left stays as it is, bit for bit.
-    return _units(np.where(np.abs(off) > _ROUNDING, directions - off * axes, directions))
+    return _units(list(np.where(np.abs(off) > _ROUNDING, directions - off * axes, directions)))
 
 
 def _check(number: int, leg: Leg) -> None:

@@ -203,8 +203,8 @@ def test_far_along_a_line_that_a_lean_rail_all_but_misses(length: float) -> None
 @pytest.mark.parametrize("off", [-0.9e-9, 0.9e-9])
 def test_a_zero_direction_that_is_all_but_perpendicular(off: float) -> None:
     share = 3.5e-7
-    given = {"axis": (1.0, 0.0, 0.0), "zero_direction": (off, 0.6, 0.8)}
-    leg = Leg(CRANK, np.zeros(3), np.zeros(3), **given, crank_length=0.5, rod_length=1.0)
+    axis, zero = (1.0, 0.0, 0.0), (off, 0.6, 0.8)
+    leg = Leg(CRANK, np.zeros(3), np.zeros(3), axis, zero, crank_length=0.5, rod_length=1.0)
     beside_a_root(
         leg, 0.8, 1.1 * np.sqrt(1.0 - 2.0 * share), 1.1 * np.sqrt(2.0 * share), -0.5, 0.01
     )
