@@ -63,11 +63,11 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:
-    """Return what the orientations that are tried one by one cost, however few the nodes. [s]"""
+    """Return what orientations that are tried one by one cost, however few the nodes. [s]"""
     orientations = setup.orientations
     if orientations is None or all_round(setup.conditions, orientations):
         return 0.0
-    return orientations.grid.size * SECONDS_PER_ORIENTATION
+    return orientations.grid.size * len(setup.mechanisms) * SECONDS_PER_ORIENTATION
 
 
 def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:

@@ -20,6 +20,7 @@ platform; universal at both, the rod one of a parallelogram; ball at both ends; 
 _NOTHING = (0.0, 0.0, 0.0)
 _LEAST_LENGTH = 1e-12
 _PERPENDICULAR = 1e-9
+_ROUNDING = 1e-15
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ def gather(legs: Sequence[Leg], limits: Floats, working_mode: Floats) -> Legs:
     for number, leg in enumerate(legs):
         _check(number, leg)
     axes = _units([leg.axis for leg in legs])
-    zeros = _units([leg.zero_direction for leg in legs])
+    zeros = _across(axes, _units([leg.zero_direction for leg in legs]))
     rods = np.array([leg.rod_length for leg in legs], dtype=float)
     return Legs(
         drive=np.array([leg.drive for leg in legs], dtype=np.int64),
@@ -121,6 +122,13 @@ def _units(vectors: Sequence[Sequence[float] | Floats]) -> Floats:
     # What is a unit vector already stays as it is, bit for bit.
     lengths[(lengths == 0.0) | (np.abs(lengths - 1.0) < 1e-15)] = 1.0
     return np.ascontiguousarray(rows / lengths)
+
+
+def _across(axes: Floats, directions: Floats) -> Floats:
+    """Return directions that are nearly so, shape (legs, 3), perpendicular to their axes."""
+    off = np.sum(directions * axes, axis=1, keepdims=True)
+    # What rounding alone has left stays as it is, bit for bit.
+    return _units(list(np.where(np.abs(off) > _ROUNDING, directions - off * axes, directions)))
 
 
 def _check(number: int, leg: Leg) -> None:

@@ -175,11 +175,10 @@ def _rail_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats) 
         _parallel_rail_ends(leg, j, flat, spans, ends)
         return 1
     for i in range(ABREAST):
-        along = spans[j, i] * a + spans[u, i] * b + spans[v, i] * c
-        w, f, g = spans[j, i] - along * a, spans[u, i] - along * b, spans[v, i] - along * c
-        left = L * L - (w * w + f * f + g * g)
-        e = w * steep
-        low, high = _roots(e, e * e + left * steep, e * e + (L * L + abs(left)) * steep)
+        # Of what lies across the line alone: far along it nothing cancels, however lean the rail.
+        e = spans[j, i] - a * (spans[u, i] * b + spans[v, i] * c) * steep
+        apart = (spans[u, i] * c - spans[v, i] * b) ** 2 * steep
+        low, high = _roots(e, (L * L - apart) * steep, (L * L + apart) * steep)
         ends[FIRST, i], ends[STOP, i] = low * share, high * share
     return 1
 

@@ -14,7 +14,7 @@ from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
 from mechanics.fields import actuators
 from mechanics.grid import Axis, Grid
-from mechanics.legs import CRANK, STRUT, Leg, gather
+from mechanics.legs import CRANK, RAIL, STRUT, Leg, gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import SPATIAL, TRANSLATION, Motion
 from mechanics.workspace import Scan, provable, scan
@@ -177,6 +177,36 @@ def test_cranks_along_and_across_the_line(crank: float, axis: list[float]) -> No
         Axis("x", -edge, -edge, 1.0),
         Axis("y", 0.1, 0.1, 1.0),
         Axis("z", -9.0, 9.0, 0.01),
+    )
+
+
+def beside_a_root(leg: Leg, x: float, y: float, root: float, least: float, step: float) -> None:
+    """Hold lines along z against their nodes, one of which is a little beside a root."""
+    legs = [leg, *(Leg(STRUT, base, np.zeros(3)) for base in np.diag([0.5, 0.5, 0.0])[:2])]
+    mechanism = Mechanism(TRANSLATION, gather(legs, np.array([[-np.inf, np.inf]] * 3), np.ones(3)))
+    nodes = int((root - least) / step)
+    for off in np.geomspace(1e-7, 1e-5, 12) * max(abs(least), 1.0):
+        for z in (root - off, root + off):
+            line = Axis("z", z - nodes * step, z + 4.5 * step, step)
+            agree(mechanism, Axis("x", x, x, 1.0), Axis("y", y, y, 1.0), line)
+
+
+@pytest.mark.parametrize("length", [1.0 - 9e-16, 1.0, 1.0 + 9e-16])
+def test_far_along_a_line_that_a_lean_rail_all_but_misses(length: float) -> None:
+    # What is a unit vector but for rounding is taken as one.
+    lean, half = 1.05e-3, 0.5
+    direction = np.array([np.sin(lean), 0.0, np.cos(lean)]) * length
+    leg = Leg(RAIL, np.zeros(3), np.zeros(3), axis=direction, rod_length=1.0)
+    beside_a_root(leg, 0.0, np.sqrt(1.0 - (half * np.sin(lean)) ** 2), half, -800.0, 0.0085)
+
+
+@pytest.mark.parametrize("off", [-0.9e-9, 0.9e-9])
+def test_a_zero_direction_that_is_all_but_perpendicular(off: float) -> None:
+    share = 3.5e-7
+    axis, zero = (1.0, 0.0, 0.0), (off, 0.6, 0.8)
+    leg = Leg(CRANK, np.zeros(3), np.zeros(3), axis, zero, crank_length=0.5, rod_length=1.0)
+    beside_a_root(
+        leg, 0.8, 1.1 * np.sqrt(1.0 - 2.0 * share), 1.1 * np.sqrt(2.0 * share), -0.5, 0.01
     )
 
 

@@ -1,0 +1,43 @@
+"""What workspaces are priced at before they are computed."""
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+import analyses
+from schemas.analyses import Request, parse_request
+from tests.oracles.draws import DRAWS
+
+SYNCHRONOUS = 0.5
+ONE_BY_ONE = 1e-4
+"""Less than an orientation that is tried by itself takes, even of a single node. [s]"""
+
+
+def at_one_node(step: float, **fields: Any) -> Request:  # noqa: ANN401
+    """Return a request of one node at some of many orientations, with conditions to search."""
+    draw = DRAWS["gough_stewart"](np.random.default_rng(0))
+    turns = [{"coordinate": c, "min": -1.0, "max": 1.0, "step": step} for c in ("rx", "ry", "rz")]
+    body = {
+        "analysis": "workspace",
+        "mechanism": draw.wire,
+        "type": "inclusive_orientation",
+        "class": "effective",
+        "grid": [{"coordinate": "z", "min": 0.5, "max": 0.5, "step": 1.0}],
+        "fixed": {"x": 0.0, "y": 0.0},
+        "orientation_range": turns,
+        "effective": {"max_condition_number": 1.5},
+    }
+    request = parse_request(json.dumps(body | fields))
+    analyses.check(request, 10**9)
+    return request
+
+
+@pytest.mark.parametrize("step", [0.1, 0.05])
+def test_orientations_tried_one_by_one_cost_however_few_the_nodes(step: float) -> None:
+    count = round(2.0 / step + 1.0) ** 3
+    price = analyses.estimate(at_one_node(step), SYNCHRONOUS)
+    assert price.nodes == 1
+    assert price.mode == "job"
+    assert price.seconds > count * ONE_BY_ONE
