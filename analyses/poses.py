@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from analyses.analysis import Arrays
 from analyses.errors import AnalysisError
-from mechanics.arrays import Booleans, Floats
+from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.conditions.actuator_limits import ActuatorLimits
-from mechanics.conditions.condition import NO_LEG, Condition
+from mechanics.conditions.condition import NO_LEG, Breach, Condition
 from mechanics.conditions.motor_limits import MotorLimits
 from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
@@ -115,13 +115,9 @@ def drive_obstacles(mechanism: Mechanism, actuators: Floats, start: int) -> Arra
     """
     found = []
     for limits in (ActuatorLimits(mechanism), MotorLimits(mechanism)):
-        part, row = np.nonzero(limits.margins(actuators) < 0.0)
-        nearest = limits.nearest(actuators)
-        legs = np.array(limits.legs, dtype=int)[part]
-        reasons = np.full(row.size, REASONS.index(limits.reason))
-        found.append(
-            _entries(row, legs, reasons, nearest.value[part, row], nearest.limit[part, row])
-        )
+        broken = limits.margins(actuators) < 0.0
+        rows = np.arange(actuators.shape[1])
+        found.append(_broken(limits, rows, broken, limits.nearest(actuators)))
     return _in_order([np.concatenate(parts) for parts in zip(*found, strict=True)], start)
 
 
@@ -141,14 +137,20 @@ def _breaches(block: Configuration, condition: Condition) -> tuple[NDArray[Any],
     at: Booleans = np.any(broken, axis=0)
     if not at.any():
         return _entries(*(np.empty(0),) * 5)
-    breach = condition.explain(block.take(at))
-    part, pose = np.nonzero(broken[:, at])
+    return _broken(condition, np.flatnonzero(at), broken[:, at], condition.explain(block.take(at)))
+
+
+def _broken(
+    condition: Condition, rows: Integers, broken: Booleans, breach: Breach
+) -> tuple[NDArray[Any], ...]:
+    """Return an entry for each part of a condition that is broken, shape (parts, rows)."""
+    part, row = np.nonzero(broken)
     return _entries(
-        np.flatnonzero(at)[pose],
-        np.array(condition.legs)[part],
+        rows[row],
+        np.array(condition.legs, dtype=int)[part],
         np.full(part.size, REASONS.index(condition.reason)),
-        breach.value[part, pose],
-        breach.limit[part, pose],
+        breach.value[part, row],
+        breach.limit[part, row],
     )
 
 
