@@ -53,16 +53,9 @@ def orientations_of(
 
 
 def _idle_turns(mechanism: Mechanism, conditions: Sequence[Condition]) -> tuple[str, ...]:
-    """Return the turns that change nothing that is asked.
-
-    Turning about its own x axis leaves a platform whose tool is along it with the wrist's centre
-    where it was, and only the limits of motors are felt.
-    """
-    wrist = mechanism.wrist
+    """Return the turns that change nothing that is asked: the limits of motors feel every turn."""
     limited = any(isinstance(condition, MotorLimits) for condition in conditions)
-    if wrist is None or wrist.tool[1:].any() or limited:
-        return ()
-    return ("rx",)
+    return () if mechanism.wrist is None or limited else mechanism.wrist.idle_turns
 
 
 def ranged(motion: Motion) -> tuple[str, ...]:

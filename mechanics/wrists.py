@@ -33,6 +33,11 @@ class Wrist:
     upper_limit: Floats
     geared: Booleans
 
+    @property
+    def idle_turns(self) -> tuple[str, ...]:
+        """The turns that leave the wrist's centre where it is: rx, if the tool is along x."""
+        return () if self.tool[1:].any() else ("rx",)
+
     def motors(self, angles: Floats) -> Floats:
         """Return the motors' coordinates at angles rx, ry, rz, shape (3, poses) each. [rad]
 
