@@ -97,8 +97,9 @@ class MotorTorques(Analysis[FrictionTorqueRequest]):
             name: nullable_vectors(arrays[name]) if name in arrays else None
             for name in ("worst_force", "worst_moment")
         }
+        chain = _factors(request)
         factors = [
-            motor_factors(mechanism, *_factors(request), np.full((3, 1), sign))[:, 0]
+            motor_factors(mechanism, *chain, np.full((3, 1), sign))[:, 0]
             for sign in (SIGNS["driving"], SIGNS["back_driving"])
         ]
         return MotorTorqueResult.model_construct(
