@@ -51,7 +51,7 @@ if getattr(numba.config, "CPU_FEATURES") is None:  # noqa: B009
     setattr(numba.config, "CPU_FEATURES", cpu_features())  # noqa: B010
 
 # Arrays made in kernels begin on a line of the cache. Numba's own start on half lines, and on the
-# wrong one every load of a whole 512-bit register takes two lines: a sixth of the time, by luck.
+# wrong one every load of a whole 512-bit register takes two lines: a tenth of the time, by luck.
 setattr(CPUContext, "get_preferred_array_alignment", lambda context, dtype: 64)  # noqa: B010
 
 
