@@ -1,0 +1,163 @@
+"""Workspaces, a node of their grids, against NumPy over the whole grid."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks import rivals
+from benchmarks.measuring import compare
+from benchmarks.mechanisms import hexapod, planar
+from mechanics import fields as kept_fields
+from mechanics.arrays import Floats
+from mechanics.conditions.actuator_limits import ActuatorLimits
+from mechanics.conditions.reach import Reach
+from mechanics.families.delta import delta_linear
+from mechanics.grid import Axis, Grid
+from mechanics.loads import Load
+from mechanics.orientations import Orientations, scan_orientations
+from mechanics.turns import Turn
+from mechanics.workspace import Scan, scan
+
+
+def scan_of_reach() -> None:
+    """Compare a scan of the theoretical workspace, a node, with NumPy over the whole grid."""
+    mechanism = planar()
+    axes = (Axis("x", -0.3, 0.3, 0.0005), Axis("y", -0.3, 0.3, 0.0005))
+    grid = Grid(axes, (0, 1), np.zeros(3))
+    base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
+    x, y = (axis.nodes for axis in axes)
+    compare(
+        "3-RRR reach by lines, a node",
+        lambda: scan(mechanism, [Reach(mechanism)], grid, {}, 0, grid.size),
+        grid.size,
+        "NumPy, annuli",
+        lambda: rivals.reach_grid(base, platform, 0.0, 0.36, x, y),
+    )
+
+
+def rails() -> None:
+    """Compare whole lines of three limited rail legs with NumPy, and with half the step."""
+    mechanism = delta_linear(
+        rail_radius=0.328,
+        platform_radius=0.1,
+        carriage_arm=0.0,
+        rod_length=0.37,
+        tool_offset=0.0,
+        limits=np.tile([-0.1, 0.35], (3, 1)),
+        working_mode=np.ones(3),
+    )
+    offsets = mechanism.legs.base_point - mechanism.legs.platform_point
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+
+    def grid(count: int) -> Grid:
+        step = 2.1 / (count - 1)
+        return Grid(tuple(Axis(c, -1.1, 1.0, step) for c in "xyz"), (0, 1, 2), np.zeros(3))
+
+    coarse, fine = grid(211), grid(421)
+    nodes = [axis.nodes for axis in coarse.axes]
+    expected = rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes)
+    found = scan(mechanism, conditions, coarse, {}, 0, coarse.size)
+    inside = np.repeat(found.codes == 0, found.lengths)
+    assert np.count_nonzero(inside != expected.ravel()) <= 3, "rails: more than rounding differs"
+
+    def ours(of: Grid) -> Callable[[], object]:
+        return lambda: scan(mechanism, conditions, of, {}, 0, of.size)
+
+    name = "three rails, limits, by lines, a node"
+    compare(
+        name,
+        ours(coarse),
+        coarse.size,
+        "NumPy, slabs of 211 x 211",
+        lambda: rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes),
+    )
+    compare("the same, the whole grid", ours(coarse), 1, "the same at half the step", ours(fine))
+
+
+def struts() -> None:
+    """Compare whole lines of six limited struts with NumPy."""
+    free_platform, _ = hexapod()
+    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
+    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    step = 2.0 / 199
+    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
+    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    centres = mechanism.legs.base_point - mechanism.legs.platform_point
+    nodes = [axis.nodes for axis in axes]
+    compare(
+        "6-SPS, limits, by lines, a node",
+        lambda: scan(mechanism, conditions, grid, {}, 0, grid.size),
+        grid.size,
+        "NumPy, slabs of 200 x 200",
+        lambda: rivals.struts_grid(centres, 0.9, 1.5, *nodes),
+    )
+
+
+def orientations() -> None:
+    """Compare all angles of a turning platform, a node, with 360 of them in NumPy."""
+    mechanism = planar()
+    axes = (Axis("x", -0.3, 0.3, 0.001), Axis("y", -0.3, 0.3, 0.001))
+    grid = Grid(axes, (0, 1), np.zeros(3))
+    turn = Turn(mechanism.motion, "phi", 2, -np.pi, np.pi, np.deg2rad(2.0))
+    around = Orientations(Grid((), (), np.zeros(3)), turn, 2.0 * np.pi)
+    base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
+    x, y = (axis.nodes for axis in axes)
+
+    def ours(every: bool) -> Scan:
+        return scan_orientations(
+            mechanism,
+            [Reach(mechanism)],
+            grid,
+            around,
+            0,
+            grid.size,
+            every=every,
+            measured=False,
+        )
+
+    def sampled(every: bool) -> NDArray[np.bool_]:
+        return rivals.sampled_orientations(base, platform, 0.36, x, y, 360, every=every)
+
+    for name, every in (("3-RRR maximal, a node", False), ("3-RRR full, a node", True)):
+        found, expected = ours(every), sampled(every)
+        inside = np.repeat(found.codes == 0, found.lengths)
+        differing = np.count_nonzero(inside != expected.ravel())
+        assert differing < 200, f"{name}: sampling differs at {differing} nodes"
+        compare(
+            name,
+            partial(ours, every),
+            grid.size,
+            "NumPy, 360 angles",
+            partial(sampled, every),
+        )
+
+
+def fields() -> None:
+    """Compare a 6-SPS with two fields, a node, with batched inversion in NumPy."""
+    free_platform, _ = hexapod()
+    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
+    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    step = 2.0 / 99
+    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
+    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    kept = {"effort": kept_fields.effort_max(Load(1.0, 0.1)), "angle": kept_fields.pressure_angle}
+    positions = np.ascontiguousarray(grid.poses(0, grid.size)[:3].T)
+    legs = mechanism.legs
+
+    def ours() -> Scan:
+        return scan(mechanism, conditions, grid, kept, 0, grid.size)
+
+    def theirs() -> tuple[NDArray[np.bool_], Floats, Floats]:
+        return rivals.strut_fields(positions, legs.base_point, legs.platform_point, 0.9, 1.5)
+
+    found, (inside, efforts, _) = ours(), theirs()
+    assert np.array_equal(np.repeat(found.codes == 0, found.lengths), inside)
+    usual = np.median(efforts)
+    differing = np.abs(found.fields["effort"] - efforts)[efforts < 100.0 * usual].max()
+    assert differing < 1e-9 * usual, f"fields: efforts differ by {differing} N"
+    compare("6-SPS with two fields, a node", ours, grid.size, "NumPy, blocks of 4096", theirs)
