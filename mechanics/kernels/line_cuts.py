@@ -6,7 +6,7 @@ that a block of poses goes through.
 
 from typing import NamedTuple
 
-from mechanics.arrays import Floats
+from mechanics.arrays import Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import (
     Numbers,
@@ -22,6 +22,7 @@ from mechanics.kernels.line_ends import (
     ABREAST,
     FIRST,
     HOLE,
+    HOLE_STOP,
     REACH,
     STOP,
     Line,
@@ -33,6 +34,8 @@ from mechanics.legs import CRANK, RAIL
 
 TO_WHOLE = 1.5 * 2.0**52
 """What, added to a number and taken away again, leaves the nearest whole one."""
+SEVERAL = -1
+"""What stands for the code of a line whose nodes have several, or are still to be asked."""
 
 
 @kernel
@@ -57,24 +60,25 @@ class Scratch(NamedTuple):
     spans : d of a leg at the lines' origins and rho_j, shape (4, lines). [m]
     ends : where a test begins to hold and so on, shape (4, lines). [steps]
     bounds : between which nodes a line is still inside, shape (2, lines).
+    whole : the code that all nodes of a line have, shape (lines,): 0 as long as all pass,
+        `SEVERAL` once they do not all have the same.
     """
 
     spans: Floats
     ends: Floats
     bounds: Floats
+    whole: Integers
 
 
 @inlined
-def cut(
-    part: Part, line: Line, places: Places, begin: int, scratch: Scratch, cuts: Floats, count: int
-) -> int:
+def cut(part: Part, line: Line, places: Places, scratch: Scratch, cuts: Floats, count: int) -> int:
     """Write which nodes of each line pass to `cuts[count]`; return how many there are now.
 
     Rows as `FIRST`.. say; NaN: only the nodes themselves can tell. A test that all nodes pass is
     not kept.
     """
-    spans, ends, bounds = scratch
-    _load(part.leg, line, places, begin, spans)
+    spans, ends, bounds, whole = scratch
+    _load(part.leg, line, places, spans)
     sides = write_ends(part, line, spans, ends)
     for side in range(2):
         if sides >> side & 1:
@@ -88,23 +92,30 @@ def cut(
         begin, end = cuts[count, FIRST, i], cuts[count, STOP, i]
         bounds[0, i] = begin if begin > bounds[0, i] else bounds[0, i]
         bounds[1, i] = end if end < bounds[1, i] else bounds[1, i]
+        hole, hole_ends = cuts[count, HOLE, i], cuts[count, HOLE_STOP, i]
+        known = begin == begin and hole == hole
+        none = known and (begin >= line.nodes or end <= 0.0)
+        all_through = begin <= 0.0 and end >= line.nodes
+        every = known and all_through and (hole >= line.nodes or hole_ends <= 0.0)
+        code = part.code if none else 0 if every else SEVERAL
+        whole[i] = code if whole[i] == 0 else whole[i]
     return count + 1 if sides > 0 else count
 
 
 @inlined
-def _load(leg: Numbers, line: Line, places: Places, begin: int, spans: Floats) -> None:
+def _load(leg: Numbers, line: Line, places: Places, spans: Floats) -> None:
     """Write d of the lines' origins, t = minimum, to rows 0..2, and rho_j to row 3. [m]"""
     positions, rotations = places.positions, places.rotations
     if rotations.shape[1] == 1:
         rho = arm(leg, rotations, 0)
         for i in range(ABREAST):
-            p = positions[0, begin + i], positions[1, begin + i], positions[2, begin + i]
+            p = positions[0, i], positions[1, i], positions[2, i]
             spans[0, i], spans[1, i], spans[2, i] = span(leg, p, rho)
             spans[3, i] = rho[0] if line.j == 0 else rho[1] if line.j == 1 else rho[2]
     else:
         for i in range(ABREAST):
-            rho = arm(leg, rotations, begin + i)
-            p = positions[0, begin + i], positions[1, begin + i], positions[2, begin + i]
+            rho = arm(leg, rotations, i)
+            p = positions[0, i], positions[1, i], positions[2, i]
             spans[0, i], spans[1, i], spans[2, i] = span(leg, p, rho)
             spans[3, i] = rho[0] if line.j == 0 else rho[1] if line.j == 1 else rho[2]
 

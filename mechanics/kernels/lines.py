@@ -13,7 +13,7 @@ from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers, span
 from mechanics.kernels.line_cuts import Scratch, cut, holds
 from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, STOP, Line, Part
-from mechanics.kernels.line_places import TOGETHER, Places, place_lines, room_for_places
+from mechanics.kernels.line_places import Places, place_lines, room_for_places
 from mechanics.legs import Legs
 
 
@@ -72,20 +72,29 @@ def walk(
     places = room_for_places(motion, grid)
     # Numbers alone: an array handed on is counted, block by block.
     parts = [_part(tests, legs, p) for p in range(tests.test.size)]
-    scratch = Scratch(np.empty((4, ABREAST)), np.empty((4, ABREAST)), np.empty((2, ABREAST)))
+    scratch = Scratch(
+        np.empty((4, ABREAST)),
+        np.empty((4, ABREAST)),
+        np.empty((2, ABREAST)),
+        np.empty(ABREAST, np.int64),
+    )
     cuts, asked = np.empty((len(parts), 4, ABREAST)), np.empty(len(parts), np.int64)
     stack = Stack(np.empty(nodes + 2), np.empty(nodes + 2, np.uint8), np.empty(nodes + 2, np.int64))
     written = 0
     for begin in range(origin, behind, ABREAST):
         lines = min(ABREAST, behind - begin)
-        own = (begin - origin) % TOGETHER
-        if own == 0:
-            place_lines(motion, grid, begin, places)
-        used = _cut_all(parts, line, places, (own, lines), scratch, cuts, asked)
+        place_lines(motion, grid, begin, places)
+        used = _cut_all(parts, line, places, lines, scratch, cuts, asked)
         if min(written + lines * nodes, stop - start) > runs.codes.size:
             runs = _larger(runs, written, stop - start)
-        at = begin, own, lines, start, stop
-        written = _write_runs(parts, line, places, cuts, asked, used, at, stack, runs, written)
+        at = begin, lines, start, stop
+        within = begin * nodes >= start and (begin + lines) * nodes <= stop
+        if within and _all_whole(scratch.whole, lines):
+            written = _write_whole(begin, nodes, lines, scratch.whole, runs, written)
+        else:
+            written = _write_runs(
+                parts, line, places, scratch.whole, cuts, asked, used, at, stack, runs, written
+            )
     lengths = np.empty(written, np.int64)
     for run in range(written - 1):
         lengths[run] = runs.starts[run + 1] - runs.starts[run]
@@ -120,15 +129,16 @@ def _cut_all(
     parts: list[Part],
     line: Line,
     places: Places,
-    own: tuple[int, int],
+    lines: int,
     scratch: Scratch,
     cuts: Floats,
     asked: Integers,
 ) -> int:
     """Write the cuts of the tests that some line may fail, and which these are; return how many."""
-    (begin, lines), bounds = own, scratch.bounds
+    bounds = scratch.bounds
     for i in range(ABREAST):
         bounds[0, i], bounds[1, i] = 0.0, line.nodes if i < lines else 0.0
+    scratch.whole[:] = 0
     count = 0
     for p in range(len(parts)):
         alive = 0
@@ -137,8 +147,29 @@ def _cut_all(
         if alive == 0:
             break
         asked[count] = p
-        count = cut(parts[p], line, places, begin, scratch, cuts, count)
+        count = cut(parts[p], line, places, scratch, cuts, count)
     return count
+
+
+@inlined
+def _all_whole(whole: Integers, lines: int) -> bool:
+    """Return whether all nodes of each line have one code."""
+    several = 0
+    for i in range(lines):
+        several += 1 if whole[i] < 0 else 0
+    return several == 0
+
+
+@inlined
+def _write_whole(
+    begin: int, nodes: int, lines: int, whole: Integers, runs: Runs, written: int
+) -> int:
+    """Write one run a line; return how many runs there are."""
+    starts, codes = runs
+    for i in range(lines):
+        starts[written + i] = (begin + i) * nodes
+        codes[written + i] = whole[i]
+    return written + lines
 
 
 @inlined
@@ -146,21 +177,26 @@ def _write_runs(  # noqa: C901, PLR0915  (arrays handed on are counted, stretch 
     parts: list[Part],
     line: Line,
     places: Places,
+    whole: Integers,
     cuts: Floats,
     asked: Integers,
     size: int,
-    at: tuple[int, int, int, int, int],
+    at: tuple[int, int, int, int],
     stack: Stack,
     runs: Runs,
     written: int,
 ) -> int:
     """Write the runs of lines; return how many runs there are."""
-    begin, own, lines, start, stop = at
+    begin, lines, start, stop = at
     starts, codes = runs
     ats, marks, dues = stack
     nodes = line.nodes
     for c in range(lines):
         first = (begin + c) * nodes
+        if whole[c] >= 0 and first >= start and first + nodes <= stop:
+            starts[written], codes[written] = first, whole[c]
+            written += 1
+            continue
         a, b = float(max(0, start - first)), float(min(nodes, stop - first))
         mark, p, top, former = 0, 0, 0, -1
         ats[0] = b
@@ -172,7 +208,7 @@ def _write_runs(  # noqa: C901, PLR0915  (arrays handed on are counted, stretch 
                 code = part.code
                 p += 1
                 if np.isnan(begins) or np.isnan(hole):
-                    stretch = own + c, int(a), int(b), p, size
+                    stretch = c, int(a), int(b), p, size
                     top = _by_nodes(part, stretch, line, places, stack, top)
                     b = a
                     break
