@@ -12,7 +12,7 @@ from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_home import component_code, home_errors, of_component
 from analyses.workspace_orientations import EVERY, tried
-from analyses.workspace_price import seconds_per_node, seconds_per_tile
+from analyses.workspace_price import seconds_inscribed, seconds_per_node, seconds_per_tile
 from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
@@ -73,8 +73,8 @@ class Workspace(Analysis[WorkspaceRequest]):
     def seconds(self, request: WorkspaceRequest) -> float:
         """Return the cost of all nodes, and of what is added to them, however few they are. [s]"""
         setup = set_up(request)
-        added = seconds_per_tile(setup) + geometric_seconds(request, setup)
-        return super().seconds(request) + added
+        once = seconds_per_tile(setup) + geometric_seconds(request, setup)
+        return super().seconds(request) + once + seconds_inscribed(request, setup)
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""

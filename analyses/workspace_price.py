@@ -4,6 +4,7 @@ import numpy as np
 
 from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
+from mechanics.inscribed import offers_box
 from mechanics.legs import STRUT
 from mechanics.orientations import Orientations, all_round, sampled_work
 from mechanics.sweeps import swept
@@ -37,6 +38,8 @@ SECONDS_CUT, SECONDS_CUT_ASLANT = 6e-8, 5e-7
 """The same where arcs are cut, and where some are cut by the roots of waves."""
 SECONDS_PER_ORIENTATION = 3e-4
 """Of each orientation tried by itself, for every stretch of nodes."""
+SECONDS_INSCRIBED = 1.6e-8
+"""Of a node of the grid, where the largest ball and box inside the workspace are asked for."""
 FIELD_WORK = {
     "effort": "effort",
     "effort_max": "effort",
@@ -68,6 +71,12 @@ def seconds_per_tile(setup: WorkspaceSetup) -> float:
     if orientations is None or all_round(setup.conditions, orientations):
         return 0.0
     return orientations.grid.size * len(setup.mechanisms) * SECONDS_PER_ORIENTATION
+
+
+def seconds_inscribed(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
+    """Return the cost of the shapes that the result is asked for, 0 if none are. [s]"""
+    sought = request.inscribed and offers_box(setup.grid)
+    return setup.grid.size * SECONDS_INSCRIBED if sought else 0.0
 
 
 def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:

@@ -259,8 +259,8 @@ _FRICTION_TORQUE = Example(
 EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE, _FRICTION_TORQUE)
 
 _FEW_NODES = [
-    GridAxis(coordinate="x", min=-0.05, max=0.05, step=0.05),
-    GridAxis(coordinate="y", min=-0.05, max=0.05, step=0.05),
+    GridAxis(coordinate="x", min=-0.05, max=0.05, step=0.025),
+    GridAxis(coordinate="y", min=-0.05, max=0.05, step=0.025),
 ]
 HEAVY: tuple[Request, ...] = (
     ForwardKinematicsRequest(
@@ -277,9 +277,11 @@ HEAVY: tuple[Request, ...] = (
                 "type": "maximal",
                 "grid": _FEW_NODES,
                 "fixed": fixed,
+                "inscribed": True,
             }
         )
         for kind, fixed in (("planar_3rrr", {}), ("gough_stewart", {"z": 0.7}))
     ),
 )
-"""Ask for what takes the longest to compile: all modes of six rods, all angles of a turn."""
+"""Ask for what takes the longest to compile: all modes of six rods, all angles of a turn, and what
+is inscribed in a workspace."""
