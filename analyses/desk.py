@@ -109,8 +109,12 @@ def offered_kind(name: str) -> Kind:
     return describe(name, list(ANALYSES.values()))
 
 
-def warm() -> None:
-    """Answer worked examples and what is heavy, so that all kernels are compiled and loaded."""
-    for request in [*(example.request for example in EXAMPLES), *HEAVY]:
+def warm(*, backwards: bool = False) -> None:
+    """Answer worked examples and what is heavy, so that all kernels are compiled and loaded.
+
+    Of processes that start together some may go backwards: each finds half of it done by others.
+    """
+    requests = [*(example.request for example in EXAMPLES), *HEAVY]
+    for request in requests[:: -1 if backwards else 1]:
         estimate(request, 0.0)
         answer(request)

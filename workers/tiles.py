@@ -18,7 +18,8 @@ class Refused:
 
 def warm() -> None:
     """Load what every tile needs."""
-    analyses.warm()
+    # The service starts at the other end.
+    analyses.warm(backwards=True)
 
 
 def compute_tile(request_json: str, start: int, stop: int) -> bytes | Refused:

@@ -5,14 +5,18 @@ The cache folder is therefore named by a digest of every kernel source and of Nu
 version: any change makes a new folder, and stale machine code is never met again.
 """
 
+import fcntl
 import hashlib
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
 from numba.core.codegen import get_host_cpu_features
+from numba.core.compiler_lock import global_compiler_lock
 from numba.core.cpu import CPUContext
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -55,11 +59,39 @@ if getattr(numba.config, "CPU_FEATURES") is None:  # noqa: B009
 setattr(CPUContext, "get_preferred_array_alignment", lambda context, dtype: 64)  # noqa: B010
 
 
+@contextmanager
+def _alone(name: str) -> Iterator[None]:
+    """Keep other processes from what is called so until this one has done it."""
+    folder = Path(str(getattr(numba.config, "CACHE_DIR")))  # noqa: B009
+    folder.mkdir(parents=True, exist_ok=True)
+    # A thread that compiles may ask for another kernel: whoever waits for it must not hold that.
+    with global_compiler_lock, (folder / f"{name}.lock").open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _shared(compiled: F) -> F:
+    """Have processes that start together compile each kernel once: the others load what is kept.
+
+    Kernels call each other in no circle, so that none waits for one that waits for it.
+    """
+    dispatcher: Any = compiled
+    name, compile_own = f"{compiled.__module__}.{compiled.__qualname__}", dispatcher.compile
+
+    @wraps(compile_own)
+    def compile_alone(signature: Any) -> Any:  # noqa: ANN401
+        with _alone(name):
+            return compile_own(signature)
+
+    dispatcher.compile = compile_alone
+    return compiled
+
+
 def kernel(function: F) -> F:
     """Compile `function` without the GIL, cached on disk; division by zero gives inf or NaN."""
     # The default error model's zero-division branch stops vectorisation.
     compiled: F = numba.njit(function, nogil=True, cache=True, error_model="numpy")
-    return compiled
+    return _shared(compiled)
 
 
 def inlined(function: F) -> F:
@@ -96,4 +128,4 @@ def fused(function: F) -> F:
     compiled: F = numba.njit(
         function, nogil=True, cache=True, error_model="numpy", fastmath={"contract"}
     )
-    return compiled
+    return _shared(compiled)

@@ -31,7 +31,7 @@ import mechanics
 from mechanics.kernels.outer import sine
 
 assert mechanics.__file__.startswith(sys.argv[1]), mechanics.__file__
-print(sine(0.3))
+print(sine(0.3), sum(sine.stats.cache_misses.values()))
 """
 SINE = 0.29552020666133955
 INNER = "    s = multiply_add(r * z, p, r)"
@@ -57,21 +57,28 @@ class Copy:
 
     def compute(self) -> float:
         """Return what a new process answers."""
+        return self.compute_at_once(1)[0][0]
+
+    def compute_at_once(self, count: int) -> list[tuple[float, int]]:
+        """Return what processes answer that start together, and how often each compiled."""
         environment = {
             **os.environ,
             "NUMBA_CACHE_DIR": str(self.root / "cache"),
             "PYTHONPATH": str(self.root),
         }
-        done = subprocess.run(
-            [sys.executable, "-c", PROGRAM, str(self.root)],
-            cwd=self.root,
-            env=environment,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-        return float(done.stdout)
+        command = [sys.executable, "-c", PROGRAM, str(self.root)]
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        started = [
+            subprocess.Popen(command, cwd=self.root, env=environment, **pipes)  # type: ignore[call-overload]
+            for _ in range(count)
+        ]
+        answers = []
+        for process in started:
+            output, error = process.communicate()
+            assert process.returncode == 0, error
+            value, compilations = output.split()
+            answers.append((float(value), int(compilations)))
+        return answers
 
     def machine_code(self) -> dict[Path, int]:
         """Return the cached files with the time of their last change."""
@@ -104,3 +111,9 @@ def test_the_former_kernel_is_seen_when_it_returns(copy: Copy) -> None:
     copy.compute()
     copy.edit(EDITED, INNER)
     assert copy.compute() == pytest.approx(SINE)
+
+
+def test_of_processes_that_start_together_one_compiles(copy: Copy) -> None:
+    answers = copy.compute_at_once(3)
+    assert [value for value, _ in answers] == pytest.approx([SINE] * 3)
+    assert sum(compilations for _, compilations in answers) == 1
