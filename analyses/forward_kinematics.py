@@ -13,8 +13,9 @@ from analyses.mechanisms import build
 from analyses.poses import check_rows, drive_obstacles, obstacle_rows
 from analyses.units import determinant_unit
 from mechanics.arrays import Floats
-from mechanics.forward import AssemblyMode as Mode
-from mechanics.forward import assembly_modes, nearby_modes, searched, side
+from mechanics.assembly.aspects import UNKNOWN
+from mechanics.assembly.modes import Modes
+from mechanics.forward import assembly_modes, nearby_modes, searched
 from mechanics.mechanism import Mechanism
 from schemas.forward_kinematics import (
     AssemblyMode,
@@ -49,6 +50,8 @@ MODES = {
     "spatial": 40,
 }
 """How many modes there are at most."""
+TOLD = {0: False, 1: True, UNKNOWN: None}
+"""Whether a guess has left its mode, on the wire."""
 
 
 class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
@@ -97,12 +100,11 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         mechanism = build(request.mechanism)
         drives = _rows(request.actuators[start:stop])
         found = assembly_modes(mechanism, drives)
-        modes = [mode for one in found for mode in one.modes]
         return {
-            "counts": np.array([len(one.modes) for one in found]),
-            "routes": np.array([one.route for one in found], dtype="U32"),
-            "certified": np.array([one.certified for one in found]),
-            **_columns(mechanism, modes),
+            "counts": found.counts,
+            "routes": np.array(found.routes, dtype="U32"),
+            "certified": found.certified,
+            **_columns(found.modes),
             **drive_obstacles(mechanism, drives.T, start),
         }
 
@@ -114,9 +116,10 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         guesses = np.broadcast_to(guesses, (len(drives), guesses.shape[1]))
         found = nearby_modes(mechanism, drives, guesses)
         return {
-            "converged": np.array([one.converged for one in found]),
-            "iterations": np.array([one.iterations for one in found]),
-            **_columns(mechanism, [one.mode for one in found]),
+            "converged": found.converged,
+            "iterations": found.iterations,
+            "left": found.left,
+            **_columns(found.modes),
             **drive_obstacles(mechanism, drives.T, start),
         }
 
@@ -172,15 +175,14 @@ def _rows(rows: list[list[float]]) -> Floats:
     return np.array(rows, dtype=float)
 
 
-def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
+def _columns(modes: Modes) -> Arrays:
     """Return what is known of modes, one row each, also where there are none."""
-    coordinates, drives = len(mechanism.motion.coordinates), mechanism.drive_count
     return {
-        "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
-        "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, drives),
-        "determinants": np.array([m.determinant for m in modes], dtype=float),
-        "sides": np.array([side(mechanism, m.determinant) for m in modes], dtype=int),
-        "residuals": np.array([m.residual for m in modes], dtype=float),
+        "poses": modes.poses.T,
+        "working_modes": modes.working_modes.T,
+        "determinants": modes.determinants,
+        "sides": modes.sides,
+        "residuals": modes.residuals,
     }
 
 
@@ -195,8 +197,13 @@ def _modes(arrays: Arrays) -> Iterator[AssemblyMode]:
 
 def _iterations(arrays: Arrays) -> Iterator[Iteration]:
     poses, residuals = nullable(arrays["poses"]), nullable(arrays["residuals"])
-    columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), poses, residuals
-    for converged, iterations, pose, residual in zip(*columns, strict=True):
+    left = [TOLD[known] for known in arrays["left"].tolist()]
+    columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), left, poses, residuals
+    for converged, iterations, gone, pose, residual in zip(*columns, strict=True):
         yield Iteration.model_construct(
-            converged=converged, iterations=iterations, pose=pose, residual=residual
+            converged=converged,
+            iterations=iterations,
+            left_mode=gone,
+            pose=pose,
+            residual=residual,
         )

@@ -78,6 +78,13 @@ class Iteration(Model):
 
     converged: bool
     iterations: int
+    left_mode: bool | None = Field(
+        description="Whether every motion of the mechanism from the guess to the pose reached "
+        "passes a singularity: det Jx has two signs (type 2), or a leg two working modes (type 1). "
+        "At the guess the drives are taken next to those given, as the inverse gives them there. "
+        "false: no such sign; two singularities on the way cancel out. null: not converged, a leg "
+        "does not reach to the guess, or one of the two is singular."
+    )
     pose: list[float | None] = Field(description="The best that was met, converged or not.")
     residual: float | None
 
