@@ -1,6 +1,5 @@
 """Forward kinematics: all assembly modes at drive positions, or the one reached from a guess."""
 
-from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
@@ -127,7 +126,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the modes of all rows."""
         arrays = joined(stretches())
         unit = determinant_unit(build(request.mechanism))
-        modes = list(_modes(arrays))
+        modes = _modes(arrays)
         obstacles = [Obstacle.model_construct(**row) for row in obstacle_rows(arrays)]
         if request.guess is not None:
             return ForwardKinematicsGuessResult.model_construct(
@@ -137,7 +136,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
                     [mode] if reached else []
                     for mode, reached in zip(modes, arrays["converged"], strict=True)
                 ],
-                newton=list(_iterations(arrays)),
+                newton=_iterations(arrays),
                 obstacles=obstacles,
             )
         ends = np.cumsum(arrays["counts"]).tolist()
@@ -186,24 +185,14 @@ def _columns(modes: Modes) -> Arrays:
     }
 
 
-def _modes(arrays: Arrays) -> Iterator[AssemblyMode]:
+def _modes(arrays: Arrays) -> list[AssemblyMode]:
     names = ("poses", "working_modes", "determinants", "sides", "residuals")
     columns = [arrays[name].tolist() for name in names]
-    for pose, mode, determinant, sign, residual in zip(*columns, strict=True):
-        yield AssemblyMode.model_construct(
-            pose=pose, working_mode=mode, determinant=determinant, side=sign, residual=residual
-        )
+    return [AssemblyMode(*row) for row in zip(*columns, strict=True)]
 
 
-def _iterations(arrays: Arrays) -> Iterator[Iteration]:
-    poses, residuals = nullable(arrays["poses"]), nullable(arrays["residuals"])
+def _iterations(arrays: Arrays) -> list[Iteration]:
     left = [TOLD[known] for known in arrays["left"].tolist()]
+    poses, residuals = nullable(arrays["poses"]), nullable(arrays["residuals"])
     columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), left, poses, residuals
-    for converged, iterations, gone, pose, residual in zip(*columns, strict=True):
-        yield Iteration.model_construct(
-            converged=converged,
-            iterations=iterations,
-            left_mode=gone,
-            pose=pose,
-            residual=residual,
-        )
+    return [Iteration(*row) for row in zip(*columns, strict=True)]
