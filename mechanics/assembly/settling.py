@@ -83,14 +83,27 @@ def _distinct(modes: Modes, legs: BrakedLegs) -> Modes:
     Two are one if the pose half-way closes the legs too: so do two copies of a mode, and the ends
     of the short stretch, about the root of rounding, within which a double mode is not told apart.
     """
-    count = modes.cases.size
-    repeated = np.zeros(count, dtype=bool)
-    for ahead in range(1, count):
-        first = np.flatnonzero(modes.cases[:-ahead] == modes.cases[ahead:])
-        if not first.size:
-            break
-        repeated[first + ahead] |= _same(modes, first, first + ahead, legs)
+    first, second = _neighbours(modes, legs)
+    repeated = np.zeros(modes.cases.size, dtype=bool)
+    repeated[second[_same(modes, first, second, legs)]] = True
     return modes.take(~repeated)
+
+
+def _neighbours(modes: Modes, legs: BrakedLegs) -> tuple[Integers, Integers]:
+    """Return the pairs of modes of one case whose positions are close, the earlier one first."""
+    positions = modes.poses[: len(legs.mechanism.motion.translations)]
+    limits = _CLOSE * legs.extents[modes.cases]
+    nothing = np.empty(0, dtype=np.int64)
+    found, aheads = [nothing], [nothing]
+    for ahead in range(1, modes.cases.size):
+        pairs = np.flatnonzero(modes.cases[:-ahead] == modes.cases[ahead:])
+        if not pairs.size:
+            break
+        away = np.abs(positions[:, pairs + ahead] - positions[:, pairs]).max(axis=0, initial=0.0)
+        close = pairs[away <= limits[pairs]]
+        found.append(close)
+        aheads.append(close + ahead)
+    return np.concatenate(found), np.concatenate(aheads)
 
 
 def loose(legs: BrakedLegs, modes: Modes) -> Booleans:
@@ -124,6 +137,8 @@ def _free_motions(legs: BrakedLegs, modes: Modes) -> tuple[Integers, Floats]:
 
 
 def _same(modes: Modes, first: Integers, second: Integers, legs: BrakedLegs) -> Booleans:
+    if not first.size:
+        return np.zeros(0, dtype=bool)
     braked = legs.take(modes.cases[first])
     motion, start = legs.mechanism.motion, modes.poses[:, first]
     gaps = _gaps(legs, start, modes.poses[:, second])
