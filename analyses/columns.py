@@ -12,8 +12,12 @@ BYTES_PER_NUMBER = 22
 
 def nullable(values: Floats) -> list[Any]:
     """Return the values as nested lists with None where there is no number."""
+    missing = np.isnan(values)
+    if not missing.any():
+        whole: list[Any] = values.tolist()
+        return whole
     cells = values.astype(object)
-    cells[np.isnan(values)] = None
+    cells[missing] = None
     rows: list[Any] = cells.tolist()
     return rows
 

@@ -1,6 +1,5 @@
 """Forward kinematics: all assembly modes at drive positions, or the one reached from a guess."""
 
-from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
@@ -13,8 +12,9 @@ from analyses.mechanisms import build
 from analyses.poses import check_rows, drive_obstacles, obstacle_rows
 from analyses.units import determinant_unit
 from mechanics.arrays import Floats
-from mechanics.forward import AssemblyMode as Mode
-from mechanics.forward import assembly_modes, nearby_modes, searched, side
+from mechanics.assembly.aspects import UNKNOWN
+from mechanics.assembly.modes import Modes
+from mechanics.forward import assembly_modes, nearby_modes, searched
 from mechanics.mechanism import Mechanism
 from schemas.forward_kinematics import (
     AssemblyMode,
@@ -49,6 +49,8 @@ MODES = {
     "spatial": 40,
 }
 """How many modes there are at most."""
+TOLD = {0: False, 1: True, UNKNOWN: None}
+"""Whether a guess has left its mode, on the wire."""
 
 
 class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
@@ -97,12 +99,11 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         mechanism = build(request.mechanism)
         drives = _rows(request.actuators[start:stop])
         found = assembly_modes(mechanism, drives)
-        modes = [mode for one in found for mode in one.modes]
         return {
-            "counts": np.array([len(one.modes) for one in found]),
-            "routes": np.array([one.route for one in found], dtype="U32"),
-            "certified": np.array([one.certified for one in found]),
-            **_columns(mechanism, modes),
+            "counts": found.counts,
+            "routes": np.array(found.routes, dtype="U32"),
+            "certified": found.certified,
+            **_columns(found.modes),
             **drive_obstacles(mechanism, drives.T, start),
         }
 
@@ -114,9 +115,10 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         guesses = np.broadcast_to(guesses, (len(drives), guesses.shape[1]))
         found = nearby_modes(mechanism, drives, guesses)
         return {
-            "converged": np.array([one.converged for one in found]),
-            "iterations": np.array([one.iterations for one in found]),
-            **_columns(mechanism, [one.mode for one in found]),
+            "converged": found.converged,
+            "iterations": found.iterations,
+            "left": found.left,
+            **_columns(found.modes),
             **drive_obstacles(mechanism, drives.T, start),
         }
 
@@ -124,7 +126,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
         """Return the modes of all rows."""
         arrays = joined(stretches())
         unit = determinant_unit(build(request.mechanism))
-        modes = list(_modes(arrays))
+        modes = _modes(arrays)
         obstacles = [Obstacle.model_construct(**row) for row in obstacle_rows(arrays)]
         if request.guess is not None:
             return ForwardKinematicsGuessResult.model_construct(
@@ -134,7 +136,7 @@ class ForwardKinematics(Analysis[ForwardKinematicsRequest]):
                     [mode] if reached else []
                     for mode, reached in zip(modes, arrays["converged"], strict=True)
                 ],
-                newton=list(_iterations(arrays)),
+                newton=_iterations(arrays),
                 obstacles=obstacles,
             )
         ends = np.cumsum(arrays["counts"]).tolist()
@@ -172,31 +174,25 @@ def _rows(rows: list[list[float]]) -> Floats:
     return np.array(rows, dtype=float)
 
 
-def _columns(mechanism: Mechanism, modes: list[Mode]) -> Arrays:
+def _columns(modes: Modes) -> Arrays:
     """Return what is known of modes, one row each, also where there are none."""
-    coordinates, drives = len(mechanism.motion.coordinates), mechanism.drive_count
     return {
-        "poses": np.array([m.pose for m in modes]).reshape(-1, coordinates),
-        "working_modes": np.array([m.working_mode for m in modes], int).reshape(-1, drives),
-        "determinants": np.array([m.determinant for m in modes], dtype=float),
-        "sides": np.array([side(mechanism, m.determinant) for m in modes], dtype=int),
-        "residuals": np.array([m.residual for m in modes], dtype=float),
+        "poses": modes.poses.T,
+        "working_modes": modes.working_modes.T,
+        "determinants": modes.determinants,
+        "sides": modes.sides,
+        "residuals": modes.residuals,
     }
 
 
-def _modes(arrays: Arrays) -> Iterator[AssemblyMode]:
+def _modes(arrays: Arrays) -> list[AssemblyMode]:
     names = ("poses", "working_modes", "determinants", "sides", "residuals")
     columns = [arrays[name].tolist() for name in names]
-    for pose, mode, determinant, sign, residual in zip(*columns, strict=True):
-        yield AssemblyMode.model_construct(
-            pose=pose, working_mode=mode, determinant=determinant, side=sign, residual=residual
-        )
+    return [AssemblyMode(*row) for row in zip(*columns, strict=True)]
 
 
-def _iterations(arrays: Arrays) -> Iterator[Iteration]:
+def _iterations(arrays: Arrays) -> list[Iteration]:
+    left = [TOLD[known] for known in arrays["left"].tolist()]
     poses, residuals = nullable(arrays["poses"]), nullable(arrays["residuals"])
-    columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), poses, residuals
-    for converged, iterations, pose, residual in zip(*columns, strict=True):
-        yield Iteration.model_construct(
-            converged=converged, iterations=iterations, pose=pose, residual=residual
-        )
+    columns = arrays["converged"].tolist(), arrays["iterations"].tolist(), left, poses, residuals
+    return [Iteration(*row) for row in zip(*columns, strict=True)]

@@ -116,8 +116,12 @@ def drive_obstacles(mechanism: Mechanism, actuators: Floats, start: int) -> Arra
     found = []
     for limits in (ActuatorLimits(mechanism), MotorLimits(mechanism)):
         broken = limits.margins(actuators) < 0.0
-        rows = np.arange(actuators.shape[1])
-        found.append(_broken(limits, rows, broken, limits.nearest(actuators)))
+        at = np.flatnonzero(np.any(broken, axis=0))
+        if at.size:
+            nearest = limits.nearest(actuators[:, at])
+            found.append(_broken(limits, at, broken[:, at], nearest))
+    if not found:
+        found.append(_nothing())
     return _in_order([np.concatenate(parts) for parts in zip(*found, strict=True)], start)
 
 
@@ -136,7 +140,7 @@ def _breaches(block: Configuration, condition: Condition) -> tuple[NDArray[Any],
     broken = condition.check(block) < 0.0
     at: Booleans = np.any(broken, axis=0)
     if not at.any():
-        return _entries(*(np.empty(0),) * 5)
+        return _nothing()
     return _broken(condition, np.flatnonzero(at), broken[:, at], condition.explain(block.take(at)))
 
 
@@ -166,6 +170,10 @@ def _dead_drives(block: Configuration) -> tuple[NDArray[Any], ...]:
     nothing = np.zeros(pose.size)
     reasons = np.full(pose.size, REASONS.index("singularity"))
     return _entries(pose, leg, reasons, nothing, nothing)
+
+
+def _nothing() -> tuple[NDArray[Any], ...]:
+    return _entries(*(np.empty(0),) * 5)
 
 
 def _entries(*columns: NDArray[Any]) -> tuple[NDArray[Any], ...]:

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from mechanics.arrays import Booleans
+from mechanics.arrays import Booleans, Floats
 from mechanics.configuration import Configuration
-from mechanics.legs import CRANK, STRUT
+from mechanics.legs import CRANK, STRUT, Legs
 
 TOLERANCE = 1e-7
 """A leg counts as stretched or folded, and axes of a wrist as aligned, within this angle.
@@ -16,18 +16,27 @@ The angle goes with the root of how near the leg is to its end, so rounding alon
 def dead_drives(block: Configuration) -> Booleans:
     """Return, shape (drives, poses), which drives have Jpsi = 0: those of a type 1 singularity.
 
-    Jpsi over the sizes of rod direction and moving point's rate is the cosine between the two.
     A wrist's motors go together: where ry is a right angle, no rate of theirs makes every turn.
     """
-    legs = block.mechanism.legs
+    cosines = elbow_cosines(block.mechanism.legs, block.rods[1])
+    if block.mechanism.wrist is not None:
+        cosines = np.concatenate([cosines, block.rate_rows[1][block.mechanism.leg_count :]])
+    dead: Booleans = np.abs(cosines) <= TOLERANCE
+    return dead
+
+
+def elbow_cosines(legs: Legs, rates: Floats) -> Floats:
+    """Return the cosines between rods and rates of their moving ends, shape (legs, poses).
+
+    Parameters
+    ----------
+    rates : array, shape (legs, poses): the diagonal of Jpsi.
+    """
     moved = np.where(legs.drive == CRANK, legs.crank_length, 1.0)
     rods = np.where(
         legs.drive == STRUT,
         1.0,
         legs.rod_length / np.where(legs.drive == STRUT, 1.0, legs.rod_scale),
     )
-    cosines = block.rods[1] / (moved * rods)[:, None]
-    if block.mechanism.wrist is not None:
-        cosines = np.concatenate([cosines, block.rate_rows[1][block.mechanism.leg_count :]])
-    dead: Booleans = np.abs(cosines) <= TOLERANCE
-    return dead
+    cosines: Floats = rates / (moved * rods)[:, None]
+    return cosines

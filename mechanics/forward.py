@@ -1,21 +1,23 @@
 """Forward kinematics: where the platform can be at given drives, all its assembly modes."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from mechanics.arrays import Booleans, Floats
 from mechanics.assembly import spheres, spherical, tetrahedra, turning
+from mechanics.assembly.aspects import UNKNOWN, left_modes
 from mechanics.assembly.braked import BrakedLegs
 from mechanics.assembly.guess import STEPS, close_nearby
+from mechanics.assembly.modes import Assemblies, Modes, NearbyModes
 from mechanics.assembly.normal_form import normal_form
 from mechanics.assembly.proposals import Proposals
 from mechanics.assembly.rods import Rods
-from mechanics.assembly.settling import SINGULAR, Modes, describe, loose, settle
+from mechanics.assembly.settling import describe, loose, settle
 from mechanics.assembly.spatial import spatial_modes
 from mechanics.errors import ActuatorsError
-from mechanics.mechanism import Mechanism, WorkingMode
+from mechanics.mechanism import Mechanism
 from mechanics.rotations import coordinates, principal_angles
 from mechanics.wrists import Wrist
 
@@ -23,53 +25,7 @@ IMPOSSIBLE = "impossible drives"
 """The route where drives cannot stand so: a strut of no length."""
 
 
-@dataclass(frozen=True)
-class AssemblyMode:
-    """One place of the platform at which the legs close.
-
-    Parameters
-    ----------
-    pose : array, shape (coordinates,). [m, rad]
-    working_mode : the signs with which the inverse solution gives the drives back.
-    determinant : of Jx as it is; modes of one sign are on one side of singularities of type 2,
-        and one that is 0 is two modes in one. [m to the number of turns]
-    residual : the greatest error of a rod's length over the mechanism's greatest length.
-    """
-
-    pose: Floats
-    working_mode: WorkingMode
-    determinant: float
-    residual: float
-
-
-@dataclass(frozen=True)
-class Assembly:
-    """All that is found for one row of drive coordinates.
-
-    Parameters
-    ----------
-    modes : by falling determinant; none where the drives are out of reach.
-    route : how they were found: `closed form`, `one angle`, `tetrahedra`, a route of
-        `mechanics.assembly.spatial`, or `IMPOSSIBLE`.
-    certified : whether these are all. Not so where the platform can move while the drives stand
-        still, and where the route itself cannot tell.
-    """
-
-    modes: tuple[AssemblyMode, ...]
-    route: str
-    certified: bool
-
-
-@dataclass(frozen=True)
-class NearbyMode:
-    """Where Newton's iteration from a guess has led; `mode` holds the drives only if converged."""
-
-    mode: AssemblyMode
-    converged: bool
-    iterations: int
-
-
-def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
+def assembly_modes(mechanism: Mechanism, actuators: Floats) -> Assemblies:
     """Return all assembly modes at each row of drive coordinates, each once.
 
     The motors of a wrist hold one orientation. It is told by its principal angles, so motors that
@@ -89,25 +45,21 @@ def assembly_modes(mechanism: Mechanism, actuators: Floats) -> list[Assembly]:
         return _wristed_modes(mechanism, mechanism.wrist, columns)
     legs = BrakedLegs(mechanism, columns)
     possible = np.flatnonzero(legs.possible)
-    found = [Assembly((), IMPOSSIBLE, True)] * legs.actuators.shape[1]
-    if not possible.size:
-        return found
+    routes, certified = [IMPOSSIBLE] * columns.shape[1], np.ones(columns.shape[1], dtype=bool)
     braked = legs.take(possible)
-    proposals = _proposals(braked)
+    proposals = _proposals(braked) if possible.size else _no_proposals(mechanism)
     modes = settle(braked, proposals)
-    certified = proposals.certified.copy()
-    certified[modes.cases[loose(braked, modes)]] = False
-    bounds = np.searchsorted(modes.cases, np.arange(possible.size + 1))
-    every = [_mode(modes, i) for i in range(modes.cases.size)]
-    for case, row in enumerate(possible):
-        own = tuple(every[bounds[case] : bounds[case + 1]])
-        found[row] = Assembly(own, proposals.routes[case], bool(certified[case]))
-    return found
+    certified[possible] = proposals.certified
+    modes = modes._replace(cases=possible[modes.cases])
+    certified[modes.cases[loose(legs, modes)]] = False
+    for row, route in zip(possible, proposals.routes, strict=True):
+        routes[row] = route
+    return Assemblies(modes, tuple(routes), certified)
 
 
 def nearby_modes(
     mechanism: Mechanism, actuators: Floats, guesses: Floats, iterations: int = STEPS
-) -> list[NearbyMode]:
+) -> NearbyModes:
     """Return the mode to which Newton's iteration leads from each row's guess.
 
     Not to converge is an answer: the pose is then the best that was met, and the guess itself,
@@ -135,19 +87,34 @@ def nearby_modes(
     return _nearby(BrakedLegs(mechanism, columns), start, iterations)
 
 
-def _nearby(legs: BrakedLegs, start: Floats, iterations: int) -> list[NearbyMode]:
-    signs = (1,) * legs.mechanism.leg_count
-    nowhere = [AssemblyMode(guess.copy(), signs, np.nan, np.nan) for guess in start.T]
-    found = [NearbyMode(mode, converged=False, iterations=0) for mode in nowhere]
+def _nearby(legs: BrakedLegs, start: Floats, iterations: int) -> NearbyModes:
+    found = _nowhere(legs, start)
     possible = np.flatnonzero(legs.possible)
-    braked = legs.take(possible)
+    braked, guesses = legs.take(possible), np.ascontiguousarray(start[:, possible])
     with np.errstate(invalid="ignore", divide="ignore"):
-        closed = close_nearby(braked, start[:, possible], iterations)
+        closed = close_nearby(braked, guesses, iterations)
         modes = describe(braked, np.arange(possible.size), closed.poses)
-    for i, row in enumerate(possible):
-        reached = bool(closed.converged[i])
-        found[row] = NearbyMode(_mode(modes, i), reached, int(closed.iterations[i]))
+        left = np.where(closed.converged, left_modes(braked, guesses, modes), UNKNOWN)
+    for whole, part in zip(found.modes[1:], modes[1:], strict=True):
+        whole[..., possible] = part
+    found.converged[possible], found.iterations[possible] = closed.converged, closed.iterations
+    found.left[possible] = left
     return found
+
+
+def _nowhere(legs: BrakedLegs, start: Floats) -> NearbyModes:
+    """Return guesses, shape (coordinates, guesses), that have led nowhere."""
+    count, signs = start.shape[1], (legs.mechanism.leg_count, start.shape[1])
+    modes = Modes(
+        np.arange(count),
+        start.copy(),
+        np.ones(signs, dtype=np.int64),
+        np.full(count, np.nan),
+        np.zeros(count, dtype=np.int64),
+        np.full(count, np.nan),
+    )
+    tried = np.zeros(count, dtype=np.int64)
+    return NearbyModes(modes, np.zeros(count, dtype=bool), tried, np.full(count, UNKNOWN))
 
 
 def searched(mechanism: Mechanism, actuators: Floats) -> Booleans:
@@ -177,15 +144,6 @@ def searched(mechanism: Mechanism, actuators: Floats) -> Booleans:
     return found
 
 
-def side(mechanism: Mechanism, determinant: float) -> int:
-    """Return the sign of det Jx, and 0 where a mode is two in one or there is no determinant.
-
-    Such a mode is known to about the root of rounding only, and so is its determinant.
-    """
-    lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
-    return int(np.sign(determinant)) if abs(determinant) > SINGULAR * lengths else 0
-
-
 def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
     rows = np.asarray(actuators, dtype=float)
     if rows.ndim != 2 or rows.shape[1] != mechanism.drive_count:
@@ -193,50 +151,34 @@ def _columns(mechanism: Mechanism, actuators: Floats) -> Floats:
     return np.ascontiguousarray(rows.T)
 
 
-def _wristed_modes(mechanism: Mechanism, wrist: Wrist, columns: Floats) -> list[Assembly]:
+def _wristed_modes(mechanism: Mechanism, wrist: Wrist, columns: Floats) -> Assemblies:
     """Return the modes of the wrist's centre, each with the platform that the motors turn."""
     legs = mechanism.leg_count
     turns = principal_angles(wrist.angles(columns[legs:]))
     found = assembly_modes(mechanism.carrier, columns[:legs].T)
-    return [
-        replace(one, modes=tuple(_on_wrist(mechanism, wrist, m, angles) for m in one.modes))
-        for one, angles in zip(found, turns.T, strict=True)
-    ]
+    return replace(found, modes=_on_wrist(mechanism, wrist, found.modes, turns))
 
 
 def _wristed_nearby(
     mechanism: Mechanism, wrist: Wrist, columns: Floats, points: Floats, iterations: int
-) -> list[NearbyMode]:
+) -> NearbyModes:
     legs = mechanism.leg_count
     turns = principal_angles(wrist.angles(columns[legs:]))
     centres = wrist.centres(*mechanism.motion.place(np.vstack([points, turns])))
     found = nearby_modes(mechanism.carrier, columns[:legs].T, centres.T, iterations)
-    return [
-        replace(one, mode=_on_wrist(mechanism, wrist, one.mode, angles))
-        for one, angles in zip(found, turns.T, strict=True)
-    ]
+    return replace(found, modes=_on_wrist(mechanism, wrist, found.modes, turns))
 
 
-def _on_wrist(
-    mechanism: Mechanism, wrist: Wrist, mode: AssemblyMode, angles: Floats
-) -> AssemblyMode:
-    """Return a mode of the wrist's centre as one of the platform at these angles, shape (3,)."""
-    centre = np.concatenate([mode.pose, angles])[:, None]
-    position = wrist.positions(*mechanism.motion.place(np.ascontiguousarray(centre)))
-    return AssemblyMode(
-        np.concatenate([position[:, 0], angles]),
-        (*mode.working_mode, *(1,) * len(angles)),
-        mode.determinant * mechanism.characteristic_length**3,
-        mode.residual,
-    )
-
-
-def _mode(modes: Modes, i: int) -> AssemblyMode:
-    return AssemblyMode(
-        modes.poses[:, i].copy(),
-        tuple(modes.working_modes[:, i].tolist()),
-        float(modes.determinants[i]),
-        float(modes.residuals[i]),
+def _on_wrist(mechanism: Mechanism, wrist: Wrist, modes: Modes, turns: Floats) -> Modes:
+    """Return modes of the wrist's centre as those of the platform at angles, shape (3, cases)."""
+    angles = turns[:, modes.cases]
+    centres = np.ascontiguousarray(np.vstack([modes.poses, angles]))
+    positions = wrist.positions(*mechanism.motion.place(centres))
+    motors = np.ones((len(angles), modes.cases.size), dtype=np.int64)
+    return modes._replace(
+        poses=np.vstack([positions, angles]),
+        working_modes=np.vstack([modes.working_modes, motors]),
+        determinants=modes.determinants * mechanism.characteristic_length**3,
     )
 
 
@@ -253,6 +195,11 @@ def _proposals(legs: BrakedLegs) -> Proposals:
         "spherical": spherical.propose,
     }
     return routes[motion](legs)
+
+
+def _no_proposals(mechanism: Mechanism) -> Proposals:
+    nothing = np.empty((len(mechanism.motion.coordinates), 0))
+    return Proposals(np.empty(0, dtype=np.int64), nothing, np.empty(0, dtype=bool), ())
 
 
 def _six_rods(legs: BrakedLegs) -> Proposals:

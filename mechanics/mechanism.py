@@ -1,6 +1,7 @@
 """A mechanism is a motion and the legs that make it, with a wrist or without."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import product
 
 import numpy as np
@@ -87,7 +88,7 @@ class Mechanism:
         ends = np.zeros_like(self.legs.platform_point)
         return Mechanism(TRANSLATION, self.legs._replace(platform_point=ends))
 
-    @property
+    @cached_property
     def characteristic_length(self) -> float:
         """The rms distance of the platform's joints from the reference point. [m]
 

@@ -9,7 +9,8 @@ from mechanics.legs import STRUT
 from mechanics.mechanism import Mechanism
 from mechanics.singularity import singularities
 
-_POSES = 4096
+_TRIED = (32, 256, 4096)
+"""Random poses of one round after the other, until `_ENOUGH` are in reach."""
 _ENOUGH = 24
 _IRREGULAR = 1e-9
 
@@ -22,12 +23,9 @@ def check_regular(mechanism: Mechanism) -> None:
     Says nothing of a mechanism that reaches none of them.
     """
     _check_distinct(mechanism)
-    block = Configuration(mechanism, _random_poses(mechanism))
-    reached = np.all(block.reach >= 0.0, axis=0)
-    chosen = np.flatnonzero(reached)[:_ENOUGH]
-    if not chosen.size:
+    few = Configuration(mechanism, _reached_poses(mechanism))
+    if not few.count:
         return
-    few = Configuration(mechanism, np.ascontiguousarray(block.poses[:, chosen]))
     worst = 1.0 / singularities(few).condition_number
     if np.all(worst <= _IRREGULAR):
         raise GeometryError(
@@ -49,16 +47,28 @@ def _check_distinct(mechanism: Mechanism) -> None:
                 )
 
 
-def _random_poses(mechanism: Mechanism) -> Floats:
-    """Return poses, shape (coordinates, poses), in the space that the legs span; repeatable."""
-    legs = mechanism.legs
+def _reached_poses(mechanism: Mechanism) -> Floats:
+    """Return at most `_ENOUGH` random poses that all legs reach, as columns; repeatable."""
     random = np.random.default_rng(20161105)
+    reached = np.empty((len(mechanism.motion.coordinates), 0))
+    for count in _TRIED:
+        poses = _random_poses(mechanism, random, count)
+        held = np.all(Configuration(mechanism, poses).reach >= 0.0, axis=0)
+        reached = np.hstack([reached, poses[:, held]])
+        if reached.shape[1] >= _ENOUGH:
+            break
+    return np.ascontiguousarray(reached[:, :_ENOUGH])
+
+
+def _random_poses(mechanism: Mechanism, random: np.random.Generator, count: int) -> Floats:
+    """Return poses, shape (coordinates, poses), in the space that the legs span."""
+    legs = mechanism.legs
     centre = legs.base_point.mean(axis=0)
     extent = float(np.max(np.linalg.norm(legs.base_point - centre, axis=1)))
     lengths = legs.crank_length + np.where(legs.drive == STRUT, extent, legs.rod_length)
     size = max(extent, float(lengths.max()))
     motion = mechanism.motion
-    poses = random.uniform(-1.0, 1.0, (len(motion.coordinates), _POSES))
+    poses = random.uniform(-1.0, 1.0, (len(motion.coordinates), count))
     for k, name in enumerate(motion.coordinates):
         if name in motion.translations:
             poses[k] = centre @ motion.twists[:3, k] + size * poses[k]

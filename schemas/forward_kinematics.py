@@ -1,5 +1,6 @@
 """`forward_kinematics`: where the platform is at drive positions, in every assembly mode."""
 
+from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -36,21 +37,36 @@ class ForwardKinematicsRequest(Model):
     )
 
 
-class AssemblyMode(Model):
+# Of these there may be a million: a model takes four times as long to make as a dataclass.
+
+
+@dataclass(frozen=True, slots=True)
+class AssemblyMode:
     """A pose at which the legs close."""
 
-    pose: list[float] = Field(description="In the order of the kind's coordinates. [m, rad]")
-    working_mode: WorkingMode = Field(
-        description="The branch in which the inverse gives these drives back."
-    )
-    determinant: float = Field(description="Of Jx as it is. [m to the number of turns]")
-    side: Sign | Literal[0] = Field(
-        description="The sign of det Jx: modes of one sign may be reached from each other without "
-        "a type 2 singularity, modes of two signs cannot; 0: singular, two modes in one."
-    )
-    residual: float = Field(
-        description="The greatest error of a rod's length over the mechanism's greatest length."
-    )
+    __pydantic_config__ = Model.model_config
+
+    pose: Annotated[
+        list[float], Field(description="In the order of the kind's coordinates. [m, rad]")
+    ]
+    working_mode: Annotated[
+        WorkingMode, Field(description="The branch in which the inverse gives these drives back.")
+    ]
+    determinant: Annotated[float, Field(description="Of Jx as it is. [m to the number of turns]")]
+    side: Annotated[
+        Sign | Literal[0],
+        Field(
+            description="The sign of det Jx: modes of one sign may be reached from each other "
+            "without a type 2 singularity, modes of two signs cannot; 0: singular, two modes in "
+            "one."
+        ),
+    ]
+    residual: Annotated[
+        float,
+        Field(
+            description="The greatest error of a rod's length over the mechanism's greatest length."
+        ),
+    ]
 
 
 class ForwardKinematicsResult(Model):
@@ -73,12 +89,27 @@ class ForwardKinematicsResult(Model):
     obstacles: list[Obstacle] = Field(description=_OBSTACLES)
 
 
-class Iteration(Model):
+@dataclass(frozen=True, slots=True)
+class Iteration:
     """Where Newton's iteration led, and how."""
+
+    __pydantic_config__ = Model.model_config
 
     converged: bool
     iterations: int
-    pose: list[float | None] = Field(description="The best that was met, converged or not.")
+    left_mode: Annotated[
+        bool | None,
+        Field(
+            description="Whether every motion of the mechanism from the guess to the pose reached "
+            "passes a singularity: det Jx has two signs (type 2), or a leg two working modes "
+            "(type 1). At the guess the drives are taken next to those given, as the inverse gives "
+            "them there. false: no such sign; two singularities on the way cancel out. null: not "
+            "converged, a leg does not reach to the guess, or one of the two is singular."
+        ),
+    ]
+    pose: Annotated[
+        list[float | None], Field(description="The best that was met, converged or not.")
+    ]
     residual: float | None
 
 

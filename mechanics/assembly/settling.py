@@ -1,15 +1,15 @@
 """From proposals to modes: polished, closed, each once, with all that is told of one."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.assembly.braked import BrakedLegs, determinants
 from mechanics.assembly.guess import close_legs
+from mechanics.assembly.modes import Modes
 from mechanics.assembly.proposals import Proposals
 from mechanics.kernels.placing import TURNING_NONE
 from mechanics.legs import STRUT
+from mechanics.mechanism import Mechanism
 from mechanics.rotations import move, product, wrapped
 
 _ROUGH = 0.1
@@ -33,26 +33,6 @@ _CLOSE = 0.02
 """Modes further apart than this, of the mechanism's size or in rad, are never one."""
 
 
-class Modes(NamedTuple):
-    """Assembly modes of many cases, sorted by case; within one by falling determinant.
-
-    Parameters
-    ----------
-    cases : array, shape (modes,): the case each belongs to.
-    poses : array, shape (coordinates, modes). [m, rad]
-    working_modes : array, shape (legs, modes): the signs with which the inverse solution gives
-        the drives back; +1 where both do, or none, as at a stretched or folded leg.
-    determinants : array, shape (modes,), of Jx as it is. [m to the number of turns]
-    residuals : array, shape (modes,), as in `mechanics.assembly.guess`.
-    """
-
-    cases: Integers
-    poses: Floats
-    working_modes: Integers
-    determinants: Floats
-    residuals: Floats
-
-
 def settle(legs: BrakedLegs, proposals: Proposals) -> Modes:
     """Return the modes among the proposals: those at which Newton's iteration closes the legs."""
     braked = legs.take(proposals.cases)
@@ -65,28 +45,36 @@ def settle(legs: BrakedLegs, proposals: Proposals) -> Modes:
 
 def describe(legs: BrakedLegs, cases: Integers, poses: Floats) -> Modes:
     """Return what is told of modes at these poses, shape (coordinates, modes), of these cases."""
-    motion, of = legs.mechanism.motion, legs.mechanism.legs
+    mechanism, motion = legs.mechanism, legs.mechanism.motion
     poses = poses + 0.0  # no -0
     if motion.turning != TURNING_NONE:
         turns = slice(len(motion.translations), None)
         poses[turns] = wrapped(poses[turns])
     braked = legs.take(cases)
     errors = braked.errors(poses)
-    folded = (errors.drive_rates > 0.0) & (of.drive != STRUT)[:, None]
-    signs = np.where(folded, -1, 1).astype(np.int64)
+    signs, dets = branches(mechanism, errors.drive_rates), determinants(errors.rows)
     residuals = np.abs(errors.excess).max(axis=0) / braked.sizes
-    found = Modes(cases, poses, signs, determinants(errors.rows), residuals)
-    return _chosen(found, np.lexsort((-found.determinants, cases)))
+    found = Modes(cases, poses, signs, dets, sides(mechanism, dets), residuals)
+    return found.take(np.lexsort((-dets, cases)))
 
 
-def _chosen(modes: Modes, order: Integers | Booleans) -> Modes:
-    return Modes(
-        modes.cases[order],
-        modes.poses[:, order],
-        modes.working_modes[:, order],
-        modes.determinants[order],
-        modes.residuals[order],
-    )
+def branches(mechanism: Mechanism, drive_rates: Floats) -> Integers:
+    """Return the sign of the inverse solution that each leg is in, of Jpsi; shapes (legs, poses).
+
+    A strut has no other than +1.
+    """
+    folded = (drive_rates > 0.0) & (mechanism.legs.drive != STRUT)[:, None]
+    return np.where(folded, -1, 1).astype(np.int64)
+
+
+def sides(mechanism: Mechanism, dets: Floats) -> Integers:
+    """Return the signs of det Jx, and 0 where a mode is two in one or there is no determinant.
+
+    Such a mode is known to about the root of rounding only, and so is its determinant.
+    """
+    lengths = mechanism.characteristic_length ** len(mechanism.motion.turns)
+    clear = np.abs(dets) > SINGULAR * lengths
+    return np.where(clear, np.sign(np.where(clear, dets, 0.0)), 0.0).astype(np.int64)
 
 
 def _distinct(modes: Modes, legs: BrakedLegs) -> Modes:
@@ -95,14 +83,27 @@ def _distinct(modes: Modes, legs: BrakedLegs) -> Modes:
     Two are one if the pose half-way closes the legs too: so do two copies of a mode, and the ends
     of the short stretch, about the root of rounding, within which a double mode is not told apart.
     """
-    count = modes.cases.size
-    repeated = np.zeros(count, dtype=bool)
-    for ahead in range(1, count):
-        first = np.flatnonzero(modes.cases[:-ahead] == modes.cases[ahead:])
-        if not first.size:
+    first, second = _neighbours(modes, legs)
+    repeated = np.zeros(modes.cases.size, dtype=bool)
+    repeated[second[_same(modes, first, second, legs)]] = True
+    return modes.take(~repeated)
+
+
+def _neighbours(modes: Modes, legs: BrakedLegs) -> tuple[Integers, Integers]:
+    """Return the pairs of modes of one case whose positions are close, the earlier one first."""
+    positions = modes.poses[: len(legs.mechanism.motion.translations)]
+    limits = _CLOSE * legs.extents[modes.cases]
+    nothing = np.empty(0, dtype=np.int64)
+    found, aheads = [nothing], [nothing]
+    for ahead in range(1, modes.cases.size):
+        pairs = np.flatnonzero(modes.cases[:-ahead] == modes.cases[ahead:])
+        if not pairs.size:
             break
-        repeated[first + ahead] |= _same(modes, first, first + ahead, legs)
-    return _chosen(modes, ~repeated)
+        away = np.abs(positions[:, pairs + ahead] - positions[:, pairs]).max(axis=0, initial=0.0)
+        close = pairs[away <= limits[pairs]]
+        found.append(close)
+        aheads.append(close + ahead)
+    return np.concatenate(found), np.concatenate(aheads)
 
 
 def loose(legs: BrakedLegs, modes: Modes) -> Booleans:
@@ -136,6 +137,8 @@ def _free_motions(legs: BrakedLegs, modes: Modes) -> tuple[Integers, Floats]:
 
 
 def _same(modes: Modes, first: Integers, second: Integers, legs: BrakedLegs) -> Booleans:
+    if not first.size:
+        return np.zeros(0, dtype=bool)
     braked = legs.take(modes.cases[first])
     motion, start = legs.mechanism.motion, modes.poses[:, first]
     gaps = _gaps(legs, start, modes.poses[:, second])

@@ -14,8 +14,11 @@ ROUTE = "closed form"
 _TOUCHING = 1e-6
 """Spheres that miss each other by less are proposed to touch, as a share of a square of radius."""
 
-_IN_LINE = 1e-12
-"""Centres are in one line below this sine."""
+_IN_LINE = 1e-7
+"""Centres are in one line below this sine: of a point too few digits are left then."""
+
+_COINCIDENT = 1e-12
+"""Centres are one if they are nearer, as a share of the greatest length."""
 
 
 def meet(centres: Floats, squares: Floats) -> tuple[Floats, Booleans]:
@@ -43,7 +46,7 @@ def meet(centres: Floats, squares: Floats) -> tuple[Floats, Booleans]:
     in_line = normal <= _IN_LINE**2 * np.prod(lengths, axis=-1)
     # Centres that coincide are told apart by rounding, which grows with their distance from 0.
     sizes = np.max(squares, axis=-1) + np.max(np.sum(centres**2, axis=-1), axis=-1)
-    determined = ~(in_line | (np.min(lengths, axis=-1) <= _IN_LINE**2 * sizes))
+    determined = ~(in_line | (np.min(lengths, axis=-1) <= _COINCIDENT**2 * sizes))
     with np.errstate(divide="ignore", invalid="ignore"):
         foot = foot / normal[..., None]
         rest = squares[..., 0] - np.sum(foot**2, axis=-1)

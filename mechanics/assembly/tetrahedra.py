@@ -86,7 +86,8 @@ def propose(legs: BrakedLegs, found: Structure) -> Proposals:
     positions = base[:, 0] - np.sum(rotations * platform[:, :1], axis=2)
     poses = coordinates(legs.mechanism.motion, positions.T, rotations.reshape(-1, 9).T)
     sound = np.all(np.isfinite(poses), axis=0)
-    return Proposals(cases[sound], poses[:, sound], determined, (ROUTE,) * len(starts))
+    certified = determined & ~_in_line(own)
+    return Proposals(cases[sound], poses[:, sound], certified, (ROUTE,) * len(starts))
 
 
 def _corners(joints: Joints, points: Floats) -> Floats:
@@ -119,6 +120,14 @@ def _above(
     centres = np.concatenate([np.stack(found, axis=-2), ends], axis=-2)
     lengths = np.concatenate([sides, squares], axis=1)[wide]
     return meet(centres, np.broadcast_to(lengths, centres.shape[:-1]))
+
+
+def _in_line(corners: Floats) -> Booleans:
+    """Return, shape (cases,), where the joints are in one line, about which the platform spins."""
+    sides = corners[:, 1:] - corners[:, :1]
+    upright = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+    in_line: Booleans = upright <= _COINCIDENT * np.prod(np.linalg.norm(sides, axis=2), axis=1)
+    return in_line
 
 
 def _triads(corners: Floats) -> Floats:

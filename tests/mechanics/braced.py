@@ -3,8 +3,9 @@
 import numpy as np
 import numpy.typing as npt
 
+from mechanics.assembly.modes import Assembly, AssemblyMode
 from mechanics.configuration import Configuration
-from mechanics.forward import Assembly, AssemblyMode, assembly_modes
+from mechanics.forward import assembly_modes
 from mechanics.legs import STRUT, Leg, gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import Motion

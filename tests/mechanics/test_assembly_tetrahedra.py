@@ -114,3 +114,15 @@ def test_a_flat_tetrahedron_is_one_mode_of_determinant_0(on_platform: bool) -> N
     assert len(near) == 1
     assert abs(near[0].determinant) < 1e-6
     assert found.certified
+
+
+@pytest.mark.parametrize("on_platform", [True, False])
+def test_three_joints_in_line_are_not_certified(on_platform: bool) -> None:
+    """About their line the platform spins while the struts stand still."""
+    joined, apart = points(5)
+    line = np.outer([0.0, 1.0, 2.5], [0.3, -0.2, 0.4])
+    joined = line[[0, 1, 0, 1, 0, 2]]
+    mechanism = on_struts(SPATIAL, *((apart, joined) if on_platform else (joined, apart)))
+    lengths = held(mechanism, [0.1, -0.2, 0.8, 0.3, 0.1, -0.4])[0]
+    assert modes_of(mechanism, lengths).route == "tetrahedra"
+    assert not modes_of(mechanism, lengths).certified

@@ -76,6 +76,31 @@ def test_spheres_about_a_line_are_not_certified() -> None:
     assert not modes_of(line, [np.sqrt(2.0), 1.0, np.sqrt(2.0)]).certified
 
 
+@pytest.mark.parametrize("sine", [1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("height", [1.0, 0.01])
+def test_spheres_nearly_about_a_line_still_meet(sine: float, height: float) -> None:
+    """The modes are known to rounding over the sine, and the pose that was held is one of them."""
+    random = np.random.default_rng(0)
+    for _ in range(50):
+        base, aside = random.uniform(-1.0, 1.0, (3, 3)), random.normal(size=3)
+        along = base[1] - base[0]
+        base[2] = base[0] + random.uniform(0.2, 2.0) * along
+        base[2] += sine * aside
+        normal = np.cross(along, aside)
+        pose = base[0] + 0.3 * along + 0.2 * random.normal() * aside
+        pose += height * normal / np.linalg.norm(normal)
+        mechanism = on_struts(TRANSLATION, base, np.zeros((3, 3)))
+        found = modes_of(mechanism, held(mechanism, pose)[0])
+        assert len(found.modes) == 2
+        assert gap(mechanism, found.modes, pose) < 1e-11 / sine
+
+
+def test_spheres_about_a_line_but_for_rounding_are_not_certified() -> None:
+    base = [[-1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 1e-9, 0.0]]
+    mechanism = on_struts(TRANSLATION, base, np.zeros((3, 3)))
+    assert not modes_of(mechanism, held(mechanism, [0.1, 0.2, 1.0])[0]).certified
+
+
 def test_modes_do_not_depend_on_where_the_platform_joints_are() -> None:
     offset = np.array([5.0, 6.0, 7.0])
     moved = on_struts(TRANSLATION, AROUND + offset, np.tile(offset, (3, 1)))

@@ -102,7 +102,8 @@ def followed(kind: str) -> Followed:
     return Followed(from_frames(points, frames), outcomes)
 
 
-# Faugere, Lazard, 1995, The combinatorial classes of parallel manipulators.
+# Faugere, Lazard, 1995, The combinatorial classes of parallel manipulators, Mechanism and Machine
+# Theory 30, pp. 765-776.
 FINITE = {"general": 40, "planar": 40, "6-4": 32, "6-3": 16, "4-4": 16, "3-3": 16}
 
 

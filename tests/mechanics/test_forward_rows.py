@@ -13,7 +13,7 @@ BAR = on_struts(PLANAR_TRANSLATION, [[0.0, 0.0], [3.0, 0.0]], np.zeros((2, 2)))
 
 
 def test_no_row_has_no_answer() -> None:
-    assert assembly_modes(BAR, np.empty((0, 2))) == []
+    assert list(assembly_modes(BAR, np.empty((0, 2)))) == []
 
 
 def test_rows_that_cannot_be_stand_among_others() -> None:

@@ -5,8 +5,9 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 
+from mechanics.assembly.modes import AssemblyMode
 from mechanics.configuration import Configuration
-from mechanics.forward import AssemblyMode, assembly_modes, nearby_modes
+from mechanics.forward import assembly_modes, nearby_modes
 from mechanics.mechanism import Mechanism
 from tests.mechanics.braced import gap, places
 from tests.oracles import legs

@@ -15,12 +15,17 @@ class Iteration:
     Attributes:
         converged (bool):
         iterations (int):
+        left_mode (bool | None): Whether every motion of the mechanism from the guess to the pose reached passes a
+            singularity: det Jx has two signs (type 2), or a leg two working modes (type 1). At the guess the drives are
+            taken next to those given, as the inverse gives them there. false: no such sign; two singularities on the way
+            cancel out. null: not converged, a leg does not reach to the guess, or one of the two is singular.
         pose (list[float | None]): The best that was met, converged or not.
         residual (float | None):
     """
 
     converged: bool
     iterations: int
+    left_mode: bool | None
     pose: list[float | None]
     residual: float | None
 
@@ -28,6 +33,9 @@ class Iteration:
         converged = self.converged
 
         iterations = self.iterations
+
+        left_mode: bool | None
+        left_mode = self.left_mode
 
         pose = []
         for pose_item_data in self.pose:
@@ -44,6 +52,7 @@ class Iteration:
             {
                 "converged": converged,
                 "iterations": iterations,
+                "left_mode": left_mode,
                 "pose": pose,
                 "residual": residual,
             }
@@ -57,6 +66,13 @@ class Iteration:
         converged = d.pop("converged")
 
         iterations = d.pop("iterations")
+
+        def _parse_left_mode(data: object) -> bool | None:
+            if data is None:
+                return data
+            return cast(bool | None, data)
+
+        left_mode = _parse_left_mode(d.pop("left_mode"))
 
         pose = []
         _pose = d.pop("pose")
@@ -81,6 +97,7 @@ class Iteration:
         iteration = cls(
             converged=converged,
             iterations=iterations,
+            left_mode=left_mode,
             pose=pose,
             residual=residual,
         )
