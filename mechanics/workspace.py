@@ -30,9 +30,6 @@ NEAR = 1e-7
 INSIDE = 0
 """The code of a node at which every condition holds."""
 
-UNSEEN = 255
-"""The code of a node before anything is known of it: no reason's is as high."""
-
 
 @dataclass(frozen=True)
 class Excluded:
