@@ -6,7 +6,7 @@ from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.inscribed import offers_box
 from mechanics.legs import STRUT
-from mechanics.orientations import Orientations, all_round, sampled_work
+from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
 from mechanics.workspace import provable
 from schemas.workspace import WorkspaceRequest
@@ -28,10 +28,16 @@ SECONDS_PER_LEG = {
 }
 SECONDS_BY_LINES = 5e-9
 """Of a leg's condition that is decided along whole lines."""
-SECONDS_ALL_ROUND = 6e-8
+SECONDS_ALL_ROUND = 8e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
-SECONDS_ASLANT = 2.5e-6
+SECONDS_ASLANT = 6e-7
 """The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
+MET_LATER = 0.25
+"""The share of nodes asked by themselves that meet the first condition and are held to others."""
+SECONDS_JUDGED = 1.2e-6
+"""Of a box of nodes, of which bounds are to tell the code at all angles of a turn."""
+SECONDS_TOLD = 1e-8
+"""Of a node whose code may be that of its box: it is written, and read for runs."""
 SECONDS_WEIGHED = 2e-9
 """Of a leg's condition at a node and one of many orientations, all angles of a turn included."""
 SECONDS_CUT, SECONDS_CUT_ASLANT = 6e-8, 5e-7
@@ -54,15 +60,17 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     orientations = setup.orientations
     if orientations is not None and all_round(setup.conditions, orientations):
         return _seconds_all_round(request, setup, orientations)
-    decided, price = _decided_cheaply(setup)
+    decided, told = _told_together(request, setup)
     checked = [condition.reason for condition in setup.conditions[decided:]]
     # What a block keeps for its condition and its field alike is computed once.
     kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
     names = checked + [name for name in kept if name == "effort" or name not in checked]
-    per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
+    per_leg = sum(SECONDS_PER_LEG[name] for name in names)
     once = SECONDS_PER_NODE if names or setup.fields else 0.0
     many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-    return (once + setup.mechanism.drive_count * per_leg) * many
+    tried = (once + setup.mechanism.drive_count * per_leg) * many
+    grids = 1 if orientations is None else orientations.grid.size
+    return tried + told * grids * len(setup.mechanisms)
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:
@@ -79,12 +87,26 @@ def seconds_inscribed(request: WorkspaceRequest, setup: WorkspaceSetup) -> float
     return setup.grid.size * SECONDS_INSCRIBED if sought else 0.0
 
 
-def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
-    """Return how many leading conditions are decided for many nodes at once, at what price. [s]"""
+def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[int, float]:
+    """Return how many leading conditions are told for many nodes at once, and their cost a node."""
     orientations = setup.orientations
-    if orientations is not None and orientations.turn is not None:
-        return swept(setup.conditions), SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
-    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
+    if orientations is None or orientations.turn is None:
+        decided = provable(setup.mechanism, setup.conditions, setup.grid)
+        return decided, setup.mechanism.drive_count * decided * SECONDS_BY_LINES
+    decided = swept(setup.conditions)
+    parts = [len(condition.legs) for condition in setup.conditions[:decided]]
+    tests = sum(parts[:1]) + MET_LATER * sum(parts[1:])
+    work = foreseen(
+        setup.mechanism,
+        setup.conditions,
+        setup.grid,
+        orientations,
+        every=request.type in EVERY,
+        measured=bool(request.fields),
+    )
+    asked = SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
+    total = SECONDS_JUDGED * work.judged + asked * tests * work.asked
+    return decided, SECONDS_TOLD + total / setup.grid.size
 
 
 def _aslant(setup: WorkspaceSetup) -> bool:

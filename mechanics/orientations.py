@@ -7,15 +7,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mechanics import octree
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
 from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
+from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
 from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
-from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, provable, ranks_of, scan
+from mechanics.workspace import INSIDE, Scan, line_runs, provable, ranks_of, scan
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""
@@ -89,6 +91,24 @@ def sampled_work(
     return Work(weighed / pairs, cut / pairs)
 
 
+def foreseen(
+    mechanism: Mechanism,
+    conditions: Sequence[Condition],
+    grid: Grid,
+    orientations: Orientations,
+    *,
+    every: bool,
+    measured: bool,
+) -> octree.Work:
+    """Return what one orientation takes, with all angles of a turn, from large boxes of nodes."""
+    turn = orientations.turn
+    if turn is None:
+        return octree.Work(0.0, float(grid.size))
+    turned = replace(grid, fixed=orientations.grid.poses(0, 1)[:, 0])
+    sweep = Sweep(mechanism, conditions, turned, turn, every, measured)
+    return octree.foresee(mechanism.motion, turned, sweep.judge, sweep.fewest)
+
+
 def _spread(size: int, most: int) -> Integers:
     """Return at most so many of `size` flat nodes, the same every time."""
     if size <= most:
@@ -114,6 +134,7 @@ def scan_orientations(
     *,
     every: bool,
     measured: bool,
+    by_boxes: bool = True,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` belong at some, or at every, orientation.
 
@@ -127,9 +148,12 @@ def scan_orientations(
     every : at every orientation, not at some.
     measured : whether the field `free_orientation` is kept, the size of the part of the range at
         which the conditions hold. [rad to the number of turns]
+    by_boxes : whether nodes are told many at once where bounds allow it; else all of them one by
+        one, with the same result.
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
-    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, np.zeros(codes.size))
+    held = np.zeros(codes.size)
+    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, held, by_boxes)
     turn = orientations.turn
     if turn is not None and all_round(conditions, orientations):
         tried.all_round(turn, orientations.grid)
@@ -162,6 +186,7 @@ class _Tried:
     measured: bool
     codes: Bytes
     held: Floats
+    by_boxes: bool
 
     @property
     def _stop(self) -> int:
@@ -188,18 +213,40 @@ class _Tried:
 
     def by_arcs(self, grid: Grid, turn: Turn) -> None:
         """Try the one orientation of a grid of the same positions, at all angles of a turn."""
-        fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
-        sizes = np.zeros(self.codes.size)
-        asked = np.flatnonzero(self._undecided)
         sweep = Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
-        fresh[asked], sizes[asked] = sweep.verdicts(self.start + asked)
+        sizes, open_ = np.zeros(self.codes.size), self._undecided
+
+        def ask(nodes: Integers) -> Bytes:
+            codes, sizes[nodes - self.start] = sweep.verdicts(nodes)
+            return codes
+
+        if self.by_boxes:
+            fresh = octree.decide(
+                self.mechanism.motion,
+                grid,
+                self.start,
+                self._stop,
+                sweep.judge,
+                ask,
+                among=None if open_.all() else open_,
+                fewest=sweep.fewest,
+            )
+        else:
+            fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
+            fresh[open_] = ask(self.start + np.flatnonzero(open_))
+        if self.every and self.measured:
+            # Of measured nodes whole boxes are inside only where all of the turn is.
+            sizes[fresh == INSIDE] = 1.0
         self._put(fresh, sizes)
 
     def _put(self, fresh: Bytes, sizes: Floats) -> None:
+        """Put in what fresh orientations say, and at which share of them all conditions held."""
         if self.every:
-            at_every(fresh, sizes, self.codes, self.held)
+            at_every(fresh, self.codes)
         else:
-            at_some(fresh, sizes, self._ranks, self.codes, self.held)
+            at_some(fresh, self._ranks, self.codes)
+        if self.measured:
+            self.held[:] += sizes
 
     @property
     def _open(self) -> Booleans:

@@ -7,8 +7,9 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
+from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.orientations import at_some
-from mechanics.workspace import INSIDE, UNSEEN, Scan, line_runs, ranks_of
+from mechanics.workspace import INSIDE, Scan, line_runs, ranks_of
 
 
 def union(scans: Sequence[Scan], conditions: Sequence[Condition], grid: Grid, start: int) -> Scan:
@@ -22,10 +23,9 @@ def union(scans: Sequence[Scan], conditions: Sequence[Condition], grid: Grid, st
     dense = [np.repeat(scan.codes, scan.lengths) for scan in scans]
     codes = np.full(dense[0].size, UNSEEN, np.uint8)
     owners = np.zeros(codes.size, np.int64)
-    unused = np.zeros(codes.size)
     for number, fresh in enumerate(dense):
         owners[(codes != INSIDE) & (fresh == INSIDE)] = number
-        at_some(fresh, unused, ranks_of(conditions), codes, unused)
+        at_some(fresh, ranks_of(conditions), codes)
     fields = {name: _chosen(name, scans, dense, codes, owners) for name in scans[0].fields}
     return Scan(*line_runs(codes, start, grid.shape[-1]), fields)
 

@@ -30,9 +30,6 @@ NEAR = 1e-7
 INSIDE = 0
 """The code of a node at which every condition holds."""
 
-UNSEEN = 255
-"""The code of a node before anything is known of it: no reason's is as high."""
-
 
 @dataclass(frozen=True)
 class Excluded:
@@ -122,14 +119,11 @@ def scan(
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     """Return codes and lengths of the runs of nodes with these codes, the first being `start`."""
-    ends = np.append(
-        np.arange(start - start % line + line, start + codes.size, line), start + codes.size
-    )
-    lines = np.diff(ends, prepend=start)
-    runs: tuple[Bytes, Integers] = kernels.refine(
-        np.zeros(lines.size, np.uint8), lines, codes, line, start
-    )
-    return runs
+    changed = np.ones(codes.size, np.bool_)
+    np.not_equal(codes[1:], codes[:-1], out=changed[1:])
+    changed[-start % line :: line] = True
+    begins = np.flatnonzero(changed)
+    return codes[begins], np.diff(begins, append=codes.size)
 
 
 def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> int:

@@ -8,12 +8,10 @@ are waves, m + c cos t + s sin t.
 import math
 from typing import NamedTuple
 
-from mechanics.arrays import Booleans, Floats, Integers
-from mechanics.kernels.arcs import beside
-from mechanics.kernels.compiling import inlined, kernel
-from mechanics.kernels.legs import Numbers, Vector, arm, numbers, span
+from mechanics.kernels.compiling import inlined
+from mechanics.kernels.legs import Numbers, Vector, span
 from mechanics.kernels.waves import Wave
-from mechanics.legs import CRANK, RAIL, STRUT, Legs
+from mechanics.legs import CRANK, RAIL, STRUT
 
 REACH, LIMITS, SPAN, NOTHING = 0, 1, 2, 3
 """Tests: the leg's equation is solvable; its drive is within its stops; |d|^2 within given bounds;
@@ -118,79 +116,46 @@ def band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]
 
 
 @inlined
-def _wave_and_band(
-    test: int, drive: int, leg: Numbers, asked_band: tuple[float, float], d: Turning, p: Vector
-) -> tuple[Wave, float, float]:
-    """Return |d|^2 of a platform at p, and between what it must lie. [m^2]"""
-    here = moved(d, p)
-    low, high = band(test, drive, leg, here)
-    low = asked_band[0] if test == SPAN else low
-    high = asked_band[1] if test == SPAN else high
-    return square(here), low, high
+def band_within(
+    test: int,
+    drive: int,
+    leg: Numbers,
+    asked_band: tuple[float, float],
+    d: Turning,
+    slack: float,
+) -> tuple[float, float]:
+    """Return the least and greatest |d|^2 of a test whose lengths may be off by a slack. [m^2]
 
-
-@kernel
-def find_lost(
-    asked: tuple[Integers, Integers, Integers],
-    bounds: Floats,
-    legs: Legs,
-    places: tuple[Floats, Floats, Floats],
-    lost: Booleans,
-) -> None:
-    """Say of poses that they are lost where one of the first condition's tests fails all round.
-
-    Nothing is said where a rotation stands for one pose alone.
+    Where that is below 0, at which they must not be off.
     """
-    positions, rotations, axes = places
-    tests, own_legs, groups = asked
-    for k in range(tests.size):
-        if rotations.shape[1] > 1 or groups[k] > groups[0]:
-            break
-        leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
-        d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        if tests[k] == NOTHING or not by_band(tests[k], drive, leg, d):
-            continue
-        limits = bounds[k, 0], bounds[k, 1]
-        for i in range(lost.size):
-            p = positions[0, i], positions[1, i], positions[2, i]
-            X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-            lost[i] |= beside(X, low, high) < 0
+    if test == SPAN:
+        low, high = asked_band
+        least = math.sqrt(low) if low > 0.0 else 0.0
+        greatest = math.sqrt(high) if high >= 0.0 else -math.inf
+        return _squares(least - slack if least > 0.0 else 0.0, greatest + slack, 0.0)
+    if test == LIMITS:
+        least = leg.lower_limit
+        return _squares(least - slack if least > 0.0 else 0.0, leg.upper_limit + slack, 0.0)
+    if drive == STRUT:
+        return _squares(math.sqrt(LEAST_STRUT * square(d).m) - slack, math.inf, 0.0)
+    along, r, L = dot(d.still, leg.axis), leg.crank_length, leg.rod_length
+    if drive == RAIL:
+        return _squares(0.0, L + slack, along)
+    # The nearest point of the crank's circle must be as near as a rod, the farthest as far.
+    near, far = _across(L + slack, along), _across(L - slack, along)
+    if near < 0.0 or (far < 0.0 and slack < 0.0):
+        return math.inf, -math.inf
+    return _squares(max(r - near, far - r), r + near, along)
 
 
-@kernel
-def hold_at(
-    asked: tuple[Integers, Integers, Integers],
-    bounds: Floats,
-    legs: Legs,
-    places: tuple[Floats, Floats, Floats],
-    cosines: Floats,
-    sines: Floats,
-    holds: Booleans,
-) -> None:
-    """Write whether all tests hold at an angle of each pose's, by bounds on |d|^2.
+@inlined
+def _across(length: float, along: float) -> float:
+    """Return how far a point is across an axis that is so far away and along it; < 0: nowhere."""
+    return math.sqrt((length - along) * (length + along)) if length >= abs(along) else -1.0
 
-    Where tests of another kind are asked, they are said not to hold.
-    """
-    positions, rotations, axes = places
-    tests, own_legs, _ = asked
-    holds[:] = True
-    for k in range(tests.size):
-        if tests[k] == NOTHING or holds.size == 0:
-            continue
-        leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
-        limits = bounds[k, 0], bounds[k, 1]
-        d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        banded = by_band(tests[k], drive, leg, d)
-        if rotations.shape[1] > 1:
-            for i in range(holds.size):
-                d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-                p = positions[0, i], positions[1, i], positions[2, i]
-                X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-                reached = X.m + X.c * cosines[i] + X.s * sines[i]
-                holds[i] &= by_band(tests[k], drive, leg, d) & (reached >= low) & (reached <= high)
-        else:
-            for i in range(holds.size):
-                p = positions[0, i], positions[1, i], positions[2, i]
-                X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-                reached = X.m + X.c * cosines[i] + X.s * sines[i]
-                holds[i] &= banded & (reached >= low) & (reached <= high)
+
+@inlined
+def _squares(least: float, greatest: float, along: float) -> tuple[float, float]:
+    """Return bounds of |d|^2 from those of its length across an axis along which it is known."""
+    low = least * least + along * along if least > 0.0 else -math.inf
+    return low, greatest * greatest + along * along if greatest >= 0.0 else -math.inf
