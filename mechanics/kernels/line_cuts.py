@@ -66,7 +66,7 @@ class Scratch(NamedTuple):
     bounds : between which nodes a line is still inside, shape (2, lines).
     whole : the code that all nodes of a line have, shape (lines,): 0 as long as all pass,
         `SEVERAL` once they do not all have the same.
-    reached : the ends of the reach of cranks, shape (legs, 4, lines). [steps]
+    reached : the ends of the reach of cranks, shape (legs, 4, lines), if any has stops. [steps]
     events : where a crank is at a stop, shape (4, lines). [steps]
     """
 
@@ -141,7 +141,7 @@ def _find_ends(part: Part, line: Line, scratch: Scratch) -> int:
         sides = torus_ends(part.leg, line, spans, ends)
     else:
         sides = write_ends(part, line, spans, ends)
-    if crank:
+    if crank and reached.shape[0] > 0:
         for row in range(4):
             for i in range(ABREAST):
                 reached[part.own, row, i] = ends[row, i]

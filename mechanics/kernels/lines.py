@@ -12,9 +12,9 @@ from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers, span
 from mechanics.kernels.line_cuts import Scratch, cut, holds, room_for_scratch
-from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, STOP, Line, Part
+from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, LIMITS, STOP, Line, Part
 from mechanics.kernels.line_places import Places, place_lines, room_for_places
-from mechanics.legs import Legs
+from mechanics.legs import CRANK, Legs
 
 
 class Tests(NamedTuple):
@@ -72,7 +72,7 @@ def walk(
     places = room_for_places(motion, grid)
     # Numbers alone: an array handed on is counted, block by block.
     parts = [_part(tests, legs, p) for p in range(tests.test.size)]
-    scratch = room_for_scratch(legs.drive.size)
+    scratch = room_for_scratch(_limited_cranks(tests, legs))
     # What a test leaves of a line may be cut twice.
     most = 2 * len(parts)
     cuts, asked = np.empty((most, 4, ABREAST)), np.empty(most, np.int64)
@@ -105,6 +105,16 @@ def _part(tests: Tests, legs: Legs, p: int) -> Part:
     """Return one test with the numbers of its leg."""
     k = tests.leg[p]
     return Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p], k)
+
+
+@inlined
+def _limited_cranks(tests: Tests, legs: Legs) -> int:
+    """Return of how many legs the reach is to be kept: none, if no crank has stops."""
+    limited = 0
+    for p in range(tests.test.size):
+        if tests.test[p] == LIMITS and legs.drive[tests.leg[p]] == CRANK:
+            limited = legs.drive.size
+    return limited
 
 
 @inlined
