@@ -26,8 +26,9 @@ SECONDS_PER_LEG = {
     "condition_number": 3e-7,
     "actuator_speed": 8e-8,
 }
-SECONDS_BY_LINES = 5e-9
-"""Of a leg's condition that is decided along whole lines."""
+SECONDS_BY_LINES, SECONDS_PER_LINE = 1e-9, 1.5e-7
+"""Of a leg's condition that is decided along whole lines, a node and a line: of cranks with stops,
+which take the longest."""
 SECONDS_ALL_ROUND = 6e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
 SECONDS_ASLANT = 2.5e-6
@@ -84,7 +85,8 @@ def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
     orientations = setup.orientations
     if orientations is not None and orientations.turn is not None:
         return swept(setup.conditions), SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
-    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
+    price = SECONDS_BY_LINES + SECONDS_PER_LINE / setup.grid.shape[-1]
+    return provable(setup.mechanism, setup.conditions, setup.grid), price
 
 
 def _aslant(setup: WorkspaceSetup) -> bool:

@@ -61,3 +61,23 @@ def test_shapes_that_are_looked_for_cost_more_than_a_scan_by_lines() -> None:
     # A pass over each node of 27 million, and more: a queue's work, whatever the scan costs.
     assert prices[1].seconds > prices[0].seconds + 0.1
     assert prices[1].mode == "job"
+
+
+def test_many_short_lines_cost_more_than_few_long_ones() -> None:
+    draw = DRAWS["delta_rotary"](np.random.default_rng(0))
+    prices = []
+    for counts in ((100, 10), (10, 100)):
+        grid = [
+            {"coordinate": c, "min": 0.0, "max": 1.0, "step": 1.0 / (count - 1)}
+            for c, count in zip("xz", counts, strict=True)
+        ]
+        body = {
+            "analysis": "workspace",
+            "mechanism": draw.wire,
+            "type": "constant_orientation",
+            "class": "theoretical",
+            "grid": grid,
+            "fixed": {"y": 0.0},
+        }
+        prices.append(analyses.estimate(parse_request(json.dumps(body)), SYNCHRONOUS).seconds)
+    assert prices[0] > 2.0 * prices[1]
