@@ -1,8 +1,9 @@
 """Where along a line of a grid the verdict on a leg changes, in closed form, line by line.
 
-Along a line one translation changes, t, and what a leg passes there is always one stretch less
-one hole: strut and crank between two distances, and a rail's carriage, whose place is concave or
-convex in t, not beyond one stop and beyond the other. All ends are roots of quadratics.
+Along a line one translation changes, t, and what a leg passes there is one stretch less one hole:
+strut and crank between two distances, and a rail's carriage, whose place is concave or convex in
+t, not beyond one stop and beyond the other. All ends here are roots of quadratics; `line_torus`
+has cranks whose axis is aslant of the line, `line_stops` the stops of cranks.
 """
 
 import math
