@@ -5,7 +5,7 @@ import numpy as np
 from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.inscribed import offers_box
-from mechanics.legs import STRUT
+from mechanics.legs import CRANK, STRUT
 from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
 from mechanics.workspace import provable
@@ -26,8 +26,10 @@ SECONDS_PER_LEG = {
     "condition_number": 3e-7,
     "actuator_speed": 8e-8,
 }
-SECONDS_BY_LINES = 5e-9
-"""Of a leg's condition that is decided along whole lines."""
+SECONDS_BY_LINES = 1e-9
+"""Of a leg's condition that is decided along whole lines, a node."""
+SECONDS_PER_LINE, SECONDS_PER_LINE_OF_CRANKS = 1e-8, 1.5e-7
+"""The same, a line: of rails and struts, and of cranks, most of all such with stops."""
 SECONDS_ALL_ROUND = 8e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
 SECONDS_ASLANT = 6e-7
@@ -92,7 +94,7 @@ def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[in
     orientations = setup.orientations
     if orientations is None or orientations.turn is None:
         decided = provable(setup.mechanism, setup.conditions, setup.grid)
-        return decided, setup.mechanism.drive_count * decided * SECONDS_BY_LINES
+        return decided, setup.mechanism.drive_count * decided * _seconds_by_lines(setup)
     decided = swept(setup.conditions)
     parts = [len(condition.legs) for condition in setup.conditions[:decided]]
     tests = sum(parts[:1]) + MET_LATER * sum(parts[1:])
@@ -107,6 +109,13 @@ def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[in
     asked = SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
     total = SECONDS_JUDGED * work.judged + asked * tests * work.asked
     return decided, SECONDS_TOLD + total / setup.grid.size
+
+
+def _seconds_by_lines(setup: WorkspaceSetup) -> float:
+    """Return the cost of a leg's condition that is decided along whole lines, a node. [s]"""
+    cranks = bool(np.any(setup.mechanism.legs.drive == CRANK))
+    line = SECONDS_PER_LINE_OF_CRANKS if cranks else SECONDS_PER_LINE
+    return SECONDS_BY_LINES + line / setup.grid.shape[-1]
 
 
 def _aslant(setup: WorkspaceSetup) -> bool:

@@ -13,6 +13,7 @@ from mechanics.grid import Grid
 from mechanics.kernels import runs as kernels
 from mechanics.kernels.line_ends import NOTHING, REACH
 from mechanics.kernels.lines import Tests, walk
+from mechanics.legs import CRANK, STRUT
 from mechanics.mechanism import Mechanism
 
 BLOCK = 4096
@@ -139,9 +140,10 @@ def _size(mechanism: Mechanism, grid: Grid) -> float:
     """Return the size of the greatest length that the leg equations meet. [m]"""
     legs = mechanism.legs
     ends = np.array([(axis.minimum, axis.maximum) for axis in grid.axes])
+    sliding = legs.drive != CRANK
     lengths: list[Floats] = [
         *(legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length),
-        *(legs.lower_limit, legs.upper_limit, grid.fixed, ends),
+        *(legs.lower_limit[sliding], legs.upper_limit[sliding], grid.fixed, ends),
     ]
     met = np.concatenate([values.ravel() for values in lengths])
     return float(np.max(np.abs(met[np.isfinite(met)]), initial=0.0))
@@ -151,7 +153,7 @@ def _walk(
     mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, start: int, stop: int
 ) -> tuple[Bytes, Integers]:
     """Return the runs of whole lines under conditions that are decided along them."""
-    tests = _tests(conditions)
+    tests = _tests(conditions, mechanism.legs.drive)
     line = grid.shape[-1]
     stretch, near = LINES * line, NEAR * _size(mechanism, grid)
     parts = [
@@ -172,15 +174,16 @@ def _walk(
     return codes, lengths
 
 
-def _tests(conditions: Sequence[Condition]) -> Tests:
+def _tests(conditions: Sequence[Condition], drives: Integers) -> Tests:
     """Return what lines are held against; first a leg must reach at all."""
     tests: list[tuple[int, int, int]] = []
+    # The length of a strut is known even where it has no direction.
+    reached = {leg for leg, drive in enumerate(drives) if drive == STRUT}
     parts = [part for c in conditions for part in zip(c.line_tests or (), c.legs, strict=True)]
     for code, (test, leg) in enumerate(parts, start=1):
-        if test != REACH and all((REACH, leg) != known[:2] for known in tests):
-            tests.append((REACH, leg, code))
-        if test != NOTHING:
-            tests.append((test, leg, code))
+        asked = {test} if leg in reached else {REACH, test}
+        tests += [(each, leg, code) for each in sorted(asked - {NOTHING})]
+        reached.add(leg)
     rows = np.array(tests, dtype=np.int64).reshape(-1, 3).T.copy()
     return Tests(*rows)
 

@@ -28,8 +28,7 @@ class ActuatorLimits(Condition):
         # With one stop or none, some turn of a crank is always free.
         self._free = turning & ~both_stops
         self._turned = turning & both_stops
-        if not self._turned.any():
-            self.line_tests = tuple(NOTHING if crank else LIMITS for crank in turning[:, 0])
+        self.line_tests = tuple(NOTHING if free else LIMITS for free in self._free[:, 0])
         self.turn_tests = tuple(
             TurnTest(bands.NOTHING if free else bands.LIMITS) for free in self._free[:, 0]
         )

@@ -6,6 +6,8 @@ that a block of poses goes through.
 
 from typing import NamedTuple
 
+import numpy as np
+
 from mechanics.arrays import Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import (
@@ -13,10 +15,8 @@ from mechanics.kernels.legs import (
     Vector,
     arm,
     crank_equation,
-    rail_coordinate,
     rail_equation,
     span,
-    strut_length,
 )
 from mechanics.kernels.line_ends import (
     ABREAST,
@@ -24,12 +24,17 @@ from mechanics.kernels.line_ends import (
     HOLE,
     HOLE_STOP,
     REACH,
+    SECOND,
     STOP,
     Line,
     Part,
+    aslant,
     write_ends,
 )
 from mechanics.kernels.line_places import Places
+from mechanics.kernels.line_stops import stop_ends
+from mechanics.kernels.line_torus import torus_ends
+from mechanics.kernels.stops import within_stops
 from mechanics.legs import CRANK, RAIL
 
 TO_WHOLE = 1.5 * 2.0**52
@@ -48,8 +53,7 @@ def holds(test: int, drive: int, leg: Numbers, d: Vector) -> bool:
         if drive == RAIL:
             return bool(rail_equation(leg, d[0], d[1], d[2])[1] >= 0.0)
         return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] > 0.0
-    q = rail_coordinate(leg, d[0], d[1], d[2]) if drive == RAIL else strut_length(d[0], d[1], d[2])
-    return bool(q - leg.lower_limit >= 0.0 and leg.upper_limit - q >= 0.0)
+    return within_stops(drive, leg, d)
 
 
 class Scratch(NamedTuple):
@@ -58,16 +62,33 @@ class Scratch(NamedTuple):
     Parameters
     ----------
     spans : d of a leg at the lines' origins and rho_j, shape (4, lines). [m]
-    ends : where a test begins to hold and so on, shape (4, lines). [steps]
+    ends : where a test begins to hold and so on, shape (8, lines). [steps]
     bounds : between which nodes a line is still inside, shape (2, lines).
     whole : the code that all nodes of a line have, shape (lines,): 0 as long as all pass,
         `SEVERAL` once they do not all have the same.
+    reached : the ends of the reach of cranks, shape (legs, 4, lines), if any has stops. [steps]
+    events : where a crank is at a stop, shape (4, lines). [steps]
     """
 
     spans: Floats
     ends: Floats
     bounds: Floats
     whole: Integers
+    reached: Floats
+    events: Floats
+
+
+@inlined
+def room_for_scratch(legs: int) -> Scratch:
+    """Return the room for what is known of lines."""
+    return Scratch(
+        np.empty((4, ABREAST)),
+        np.empty((8, ABREAST)),
+        np.empty((2, ABREAST)),
+        np.empty(ABREAST, np.int64),
+        np.empty((legs, 4, ABREAST)),
+        np.empty((4, ABREAST)),
+    )
 
 
 @inlined
@@ -75,31 +96,56 @@ def cut(part: Part, line: Line, places: Places, scratch: Scratch, cuts: Floats, 
     """Write which nodes of each line pass to `cuts[count]`; return how many there are now.
 
     Rows as `FIRST`.. say; NaN: only the nodes themselves can tell. A test that all nodes pass is
-    not kept.
+    not kept, one that leaves two holes is kept twice.
     """
-    spans, ends, bounds, whole = scratch
+    spans, ends, bounds, whole = scratch.spans, scratch.ends, scratch.bounds, scratch.whole
     _load(part.leg, line, places, spans)
-    sides = write_ends(part, line, spans, ends)
-    for side in range(2):
-        if sides >> side & 1:
-            _settle(part, line, spans, ends, 2 * side, cuts, count)
-        else:
+    sides = _find_ends(part, line, scratch)
+    for first in range(0, 2 * SECOND, SECOND):
+        if sides & 3 == 0:
+            sides >>= 2
+            continue
+        for side in range(2):
+            if sides >> side & 1:
+                _settle(part, line, spans, ends, first, 2 * side, cuts, count)
+            else:
+                for i in range(ABREAST):
+                    cuts[count, 2 * side, i] = -1.0 if side == 0 else line.nodes
+                    cuts[count, 2 * side + 1, i] = line.nodes if side == 0 else -1.0
+        for i in range(ABREAST):
+            # Not where they are not known, NaN.
+            begins, stops = cuts[count, FIRST, i], cuts[count, STOP, i]
+            bounds[0, i] = begins if begins > bounds[0, i] else bounds[0, i]
+            bounds[1, i] = stops if stops < bounds[1, i] else bounds[1, i]
+            hole, hole_ends = cuts[count, HOLE, i], cuts[count, HOLE_STOP, i]
+            known = begins == begins and hole == hole
+            none = known and (begins >= line.nodes or stops <= 0.0)
+            all_through = begins <= 0.0 and stops >= line.nodes
+            every = known and all_through and (hole >= line.nodes or hole_ends <= 0.0)
+            code = part.code if none else 0 if every else SEVERAL
+            whole[i] = code if whole[i] == 0 else whole[i]
+        count += 1
+        sides >>= 2
+    return count
+
+
+@inlined
+def _find_ends(part: Part, line: Line, scratch: Scratch) -> int:
+    """Write where the verdict on lines changes; return 1 + 2: stretch and hole, 8: a second one."""
+    spans, ends, bounds, _, reached, events = scratch
+    crank = part.drive == CRANK
+    if crank and part.test != REACH:
+        known = reached[part.own]
+        return stop_ends(part.leg, line, spans, known, bounds, events, ends)
+    if crank and aslant(part.leg, line.j):
+        sides = torus_ends(part.leg, line, spans, ends)
+    else:
+        sides = write_ends(part, line, spans, ends)
+    if crank and reached.shape[0] > 0:
+        for row in range(4):
             for i in range(ABREAST):
-                cuts[count, 2 * side, i] = -1.0 if side == 0 else line.nodes
-                cuts[count, 2 * side + 1, i] = line.nodes if side == 0 else -1.0
-    for i in range(ABREAST):
-        # Not where they are not known, NaN.
-        begin, end = cuts[count, FIRST, i], cuts[count, STOP, i]
-        bounds[0, i] = begin if begin > bounds[0, i] else bounds[0, i]
-        bounds[1, i] = end if end < bounds[1, i] else bounds[1, i]
-        hole, hole_ends = cuts[count, HOLE, i], cuts[count, HOLE_STOP, i]
-        known = begin == begin and hole == hole
-        none = known and (begin >= line.nodes or end <= 0.0)
-        all_through = begin <= 0.0 and end >= line.nodes
-        every = known and all_through and (hole >= line.nodes or hole_ends <= 0.0)
-        code = part.code if none else 0 if every else SEVERAL
-        whole[i] = code if whole[i] == 0 else whole[i]
-    return count + 1 if sides > 0 else count
+                reached[part.own, row, i] = ends[row, i]
+    return sides
 
 
 @inlined
@@ -122,13 +168,20 @@ def _load(leg: Numbers, line: Line, places: Places, spans: Floats) -> None:
 
 @inlined
 def _settle(
-    part: Part, line: Line, spans: Floats, ends: Floats, side: int, cuts: Floats, count: int
+    part: Part,
+    line: Line,
+    spans: Floats,
+    ends: Floats,
+    first: int,
+    side: int,
+    cuts: Floats,
+    count: int,
 ) -> None:
-    """Write the first nodes beyond the ends in rows side and side + 1."""
+    """Write the first nodes beyond the ends in rows side and side + 1, counted from `first` on."""
     for row in range(side, side + 2):
         close = 0
         for i in range(ABREAST):
-            place = ends[row, i]
+            place = ends[first + row, i]
             # So that NaN stays what it is, and between nodes, where none is close.
             place = -1.5 if place < -1.5 else place
             place = line.nodes + 0.5 if place > line.nodes + 0.5 else place
@@ -136,18 +189,16 @@ def _settle(
             cuts[count, row, i] = node + (1.0 if place > node else 0.0)
             close += 1 if abs(place - node) < line.near else 0
         if close > 0:
-            _ask(part, line, spans, ends, row, cuts, count)
+            _ask(part, line, spans, ends[first + row], row, cuts[count, row])
 
 
 @kernel
-def _ask(
-    part: Part, line: Line, spans: Floats, ends: Floats, row: int, cuts: Floats, count: int
-) -> None:
+def _ask(part: Part, line: Line, spans: Floats, places: Floats, row: int, nodes: Floats) -> None:
     """Let the nodes that are close to an end decide for themselves."""
     j = line.j
     for i in range(ABREAST):
-        node = (ends[row, i] + TO_WHOLE) - TO_WHOLE
-        if not abs(ends[row, i] - node) < line.near:
+        node = (places[i] + TO_WHOLE) - TO_WHOLE
+        if not abs(places[i] - node) < line.near:
             continue
         t = line.minimum + node * line.step + spans[3, i] - part.leg.base_point[j]
         d = (
@@ -158,4 +209,4 @@ def _ask(
         # A stretch ends after its last node, a hole begins after the last that passes.
         after = row in (STOP, HOLE)
         passes = holds(part.test, part.drive, part.leg, d)
-        cuts[count, row, i] = node + (1.0 if passes == after else 0.0)
+        nodes[i] = node + (1.0 if passes == after else 0.0)

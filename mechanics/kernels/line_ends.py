@@ -1,8 +1,9 @@
 """Where along a line of a grid the verdict on a leg changes, in closed form, line by line.
 
-Along a line one translation changes, t, and what a leg passes there is always one stretch less
-one hole: strut and crank between two distances, and a rail's carriage, whose place is concave or
-convex in t, not beyond one stop and beyond the other. All ends are roots of quadratics.
+Along a line one translation changes, t, and what a leg passes there is one stretch less one hole:
+strut and crank between two distances, and a rail's carriage, whose place is concave or convex in
+t, not beyond one stop and beyond the other. All ends here are roots of quadratics; `line_torus`
+has cranks whose axis is aslant of the line, `line_stops` the stops of cranks.
 """
 
 import math
@@ -24,11 +25,15 @@ LEAN = 1e-6
 """The square of the sine to a line below which a rail that is not parallel is left to nodes."""
 SAME = 1e-10
 """Both solutions of a rail closer than this share of its lengths may be one."""
+SHORT = 1e3
+"""Legs of cranks with fewer times the distance within which nodes decide are left to these."""
 STRAIGHT = 1e-16
 """The cosine of an axis that is perpendicular to a line, or its sine if it is parallel."""
 
 FIRST, STOP, HOLE, HOLE_STOP = 0, 1, 2, 3
 """Rows of where a test begins to hold, ends, and between them does not."""
+SECOND = 4
+"""How many rows later there is one more stretch and hole, for what must hold as well."""
 
 ABREAST = 128
 """Lines looked at together: few enough for the first cache."""
@@ -48,18 +53,19 @@ class Line(NamedTuple):
 
 
 class Part(NamedTuple):
-    """One leg held to one test, and the code of who fails."""
+    """One leg, the `own` one of all, held to one test, and the code of who fails."""
 
     test: int
     drive: int
     leg: Numbers
     code: int
+    own: int
 
 
 @inlined
 def write_ends(part: Part, line: Line, spans: Floats, ends: Floats) -> int:
     """Write where stretch and hole of each line end, in steps; return 1 + 2: both are there."""
-    test, drive, leg, _ = part
+    test, drive, leg = part.test, part.drive, part.leg
     j, share = line.j, 1.0 / line.step
     if test == REACH:
         if drive == CRANK:
@@ -89,7 +95,7 @@ def write_ends(part: Part, line: Line, spans: Floats, ends: Floats) -> int:
 
 
 @kernel
-def _roots(b: float, square: float, scale: float) -> tuple[float, float]:
+def roots(b: float, square: float, scale: float) -> tuple[float, float]:
     """Return the roots of (t + b)^2 = square; inf, -inf: none; NaN: rounding decides if any."""
     half = math.sqrt(square if square > 0.0 else 0.0)
     low = -b - half if square > 0.0 else math.inf
@@ -120,7 +126,7 @@ def _sphere_ends(
     u, v = (j + 1) % 3, (j + 2) % 3
     for i in range(ABREAST):
         across = spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i]
-        low, high = _roots(spans[j, i], square - across, abs(square) + across)
+        low, high = roots(spans[j, i], square - across, abs(square) + across)
         ends[row, i], ends[row + 1, i] = low * share, high * share
 
 
@@ -148,7 +154,7 @@ def _stop_ends(
         e, f, g = spans[j, i] - stop * a, spans[u, i] - stop * b, spans[v, i] - stop * c
         across = f * f + g * g
         square = L * L - across
-        low, high = _roots(e, square, L * L + across)
+        low, high = roots(e, square, L * L + across)
         # How far the middle of both solutions is beyond the stop: at the line's origin, at the
         # roots and, where there are none, at the node that the leg reaches first of all.
         along = e * a + f * b + g * c
@@ -178,7 +184,7 @@ def _rail_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats) 
         # Of what lies across the line alone: far along it nothing cancels, however lean the rail.
         e = spans[j, i] - a * (spans[u, i] * b + spans[v, i] * c) * steep
         apart = (spans[u, i] * c - spans[v, i] * b) ** 2 * steep
-        low, high = _roots(e, (L * L - apart) * steep, (L * L + apart) * steep)
+        low, high = roots(e, (L * L - apart) * steep, (L * L + apart) * steep)
         ends[FIRST, i], ends[STOP, i] = low * share, high * share
     return 1
 
@@ -210,8 +216,8 @@ def _crank_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats)
             left = L * L - height * height
             g = math.sqrt(left if left > 0.0 else 0.0)
             far, near = (r + g) ** 2, (r - g) ** 2
-            low, high = _roots(spans[j, i], far - across, far + across + L * L)
-            begin, end = _roots(spans[j, i], near - across, near + across + L * L)
+            low, high = roots(spans[j, i], far - across, far + across + L * L)
+            begin, end = roots(spans[j, i], near - across, near + across + L * L)
             if left <= 0.0:
                 low, high = math.inf, -math.inf
             if abs(left) <= BLUR * L * L:
@@ -219,10 +225,15 @@ def _crank_ends(leg: Numbers, j: int, share: float, spans: Floats, ends: Floats)
         else:
             radius = math.sqrt(spans[u, i] * spans[u, i] + spans[v, i] * spans[v, i])
             near, far = (radius - r) ** 2, (radius + r) ** 2
-            low, high = _roots(spans[j, i], L * L - near, L * L + near + r * r)
-            begin, end = _roots(spans[j, i], L * L - far, L * L + far + r * r)
+            low, high = roots(spans[j, i], L * L - near, L * L + near + r * r)
+            begin, end = roots(spans[j, i], L * L - far, L * L + far + r * r)
         ends[FIRST, i], ends[STOP, i] = low * share, high * share
         ends[HOLE, i], ends[HOLE_STOP, i] = begin * share, end * share
-    if abs(a) > STRAIGHT and b * b + c * c > STRAIGHT * STRAIGHT:
-        ends[:] = math.nan
     return 3
+
+
+@inlined
+def aslant(leg: Numbers, j: int) -> bool:
+    """Return whether a crank's axis is neither across a line nor along it."""
+    b, c = leg.axis[(j + 1) % 3], leg.axis[(j + 2) % 3]
+    return abs(leg.axis[j]) > STRAIGHT and b * b + c * c > STRAIGHT * STRAIGHT

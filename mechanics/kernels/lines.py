@@ -11,10 +11,10 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers, span
-from mechanics.kernels.line_cuts import Scratch, cut, holds
-from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, STOP, Line, Part
+from mechanics.kernels.line_cuts import Scratch, cut, holds, room_for_scratch
+from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, LIMITS, STOP, Line, Part
 from mechanics.kernels.line_places import Places, place_lines, room_for_places
-from mechanics.legs import Legs
+from mechanics.legs import CRANK, Legs
 
 
 class Tests(NamedTuple):
@@ -72,13 +72,10 @@ def walk(
     places = room_for_places(motion, grid)
     # Numbers alone: an array handed on is counted, block by block.
     parts = [_part(tests, legs, p) for p in range(tests.test.size)]
-    scratch = Scratch(
-        np.empty((4, ABREAST)),
-        np.empty((4, ABREAST)),
-        np.empty((2, ABREAST)),
-        np.empty(ABREAST, np.int64),
-    )
-    cuts, asked = np.empty((len(parts), 4, ABREAST)), np.empty(len(parts), np.int64)
+    scratch = room_for_scratch(_limited_cranks(tests, legs))
+    # What a test leaves of a line may be cut twice.
+    most = 2 * len(parts)
+    cuts, asked = np.empty((most, 4, ABREAST)), np.empty(most, np.int64)
     stack = Stack(np.empty(nodes + 2), np.empty(nodes + 2, np.uint8), np.empty(nodes + 2, np.int64))
     written = 0
     for begin in range(origin, behind, ABREAST):
@@ -107,7 +104,17 @@ def walk(
 def _part(tests: Tests, legs: Legs, p: int) -> Part:
     """Return one test with the numbers of its leg."""
     k = tests.leg[p]
-    return Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p])
+    return Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p], k)
+
+
+@inlined
+def _limited_cranks(tests: Tests, legs: Legs) -> int:
+    """Return of how many legs the reach is to be kept: none, if no crank has stops."""
+    limited = 0
+    for p in range(tests.test.size):
+        if tests.test[p] == LIMITS and legs.drive[tests.leg[p]] == CRANK:
+            limited = legs.drive.size
+    return limited
 
 
 @inlined
@@ -146,8 +153,10 @@ def _cut_all(
             alive += 1 if bounds[0, i] < bounds[1, i] else 0
         if alive == 0:
             break
-        asked[count] = p
+        known = count
         count = cut(parts[p], line, places, scratch, cuts, count)
+        for q in range(known, count):
+            asked[q] = p
     return count
 
 
@@ -252,7 +261,7 @@ def _by_nodes(
     top: int,
 ) -> int:
     """Stack the stretches that the nodes of one decide, one by one; return the stack's top."""
-    test, drive, leg, code = part
+    test, drive, leg, code, _ = part
     c, begin, end, due, size = stretch
     ats, marks, dues = stack
     rho = arm(leg, places.rotations, c if places.rotations.shape[1] > 1 else 0)

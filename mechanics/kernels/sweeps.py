@@ -26,16 +26,8 @@ from mechanics.kernels.bands import (
     turning,
 )
 from mechanics.kernels.compiling import inlined, kernel
-from mechanics.kernels.legs import (
-    Numbers,
-    Vector,
-    arm,
-    crank_angle,
-    crank_equation,
-    crank_turn,
-    numbers,
-    rail_coordinate,
-)
+from mechanics.kernels.legs import Numbers, arm, numbers
+from mechanics.kernels.stops import elbow, within_stops
 from mechanics.kernels.waves import (
     MOST_CELLS,
     TURN,
@@ -214,14 +206,12 @@ def _stops_met(
 ) -> int:
     """Write at which angles the drive may stand at a stop: there B is a rod's length from c."""
     met = 0
-    X, r, L = square(d), leg.crank_length, leg.rod_length
+    X, L = square(d), leg.rod_length
     for bound in (leg.lower_limit, leg.upper_limit):
         if not abs(bound) < math.inf:
             continue
         if drive == CRANK:
-            e, f = leg.zero_direction, leg.quarter_direction
-            c, s = r * math.cos(bound), r * math.sin(bound)
-            B = (e[0] * c + f[0] * s, e[1] * c + f[1] * s, e[2] * c + f[2] * s)
+            B = elbow(leg, math.cos(bound), math.sin(bound))
         else:
             B = (bound * leg.axis[0], bound * leg.axis[1], bound * leg.axis[2])
         along = product(d, B)
@@ -229,17 +219,3 @@ def _stops_met(
         reached = Wave(X.m - 2.0 * along.m + rest, X.c - 2.0 * along.c, X.s - 2.0 * along.s)
         met = wave_roots(reached, low, high, events, met)
     return met
-
-
-@kernel
-def within_stops(drive: int, leg: Numbers, d: Vector) -> bool:
-    """Return whether a crank, in some turn, or a rail stands within its stops."""
-    if drive == RAIL:
-        q = rail_coordinate(leg, d[0], d[1], d[2])
-        return bool(q >= leg.lower_limit and q <= leg.upper_limit)
-    P, Q, S, root = crank_equation(leg, d[0], d[1], d[2])
-    cosine, sine = crank_turn(P, Q, S, root, leg.working_mode)
-    angle = crank_angle(cosine, sine)
-    middle = 0.5 * (leg.lower_limit + leg.upper_limit)
-    angle += TURN * round((middle - angle) / TURN)
-    return bool(angle >= leg.lower_limit and angle <= leg.upper_limit)

@@ -76,3 +76,23 @@ def price_of_all_angles(count: int) -> float:
 def test_the_price_of_all_angles_grows_less_than_the_nodes() -> None:
     coarse, fine = price_of_all_angles(500), price_of_all_angles(2000)
     assert 4.0 * coarse < fine < 0.7 * 16.0 * coarse
+
+
+def test_many_short_lines_cost_more_than_few_long_ones() -> None:
+    draw = DRAWS["delta_rotary"](np.random.default_rng(0))
+    prices = []
+    for counts in ((100, 10), (10, 100)):
+        grid = [
+            {"coordinate": c, "min": 0.0, "max": 1.0, "step": 1.0 / (count - 1)}
+            for c, count in zip("xz", counts, strict=True)
+        ]
+        body = {
+            "analysis": "workspace",
+            "mechanism": draw.wire,
+            "type": "constant_orientation",
+            "class": "theoretical",
+            "grid": grid,
+            "fixed": {"y": 0.0},
+        }
+        prices.append(analyses.estimate(parse_request(json.dumps(body)), SYNCHRONOUS).seconds)
+    assert prices[0] > 2.0 * prices[1]
