@@ -44,7 +44,7 @@ def test_orientations_tried_one_by_one_cost_however_few_the_nodes(step: float) -
 
 
 def test_shapes_that_are_looked_for_cost_more_than_a_scan_by_lines() -> None:
-    step = 2.0 / 300
+    step = 2.0 / 400
     grid = [{"coordinate": name, "min": -1.0, "max": 1.0, "step": step} for name in "xyz"]
     asked = {
         "analysis": "workspace",
@@ -58,7 +58,7 @@ def test_shapes_that_are_looked_for_cost_more_than_a_scan_by_lines() -> None:
         analyses.estimate(parse_request(json.dumps(asked | {"inscribed": sought})), SYNCHRONOUS)
         for sought in (False, True)
     ]
-    # A pass over each node of 27 million, and more: a queue's work, whatever the scan costs.
+    # A pass over each node of 64 million, and more: a queue's work, whatever the scan costs.
     assert prices[1].seconds > prices[0].seconds + 0.1
     assert prices[1].mode == "job"
 
