@@ -10,10 +10,13 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
+from mechanics.judging import Judgement
 from mechanics.kernels import runs as kernels
 from mechanics.kernels.line_ends import NOTHING, REACH
 from mechanics.kernels.lines import Tests, walk
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import bounded
+from mechanics.octree import decide
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
@@ -29,6 +32,13 @@ NEAR = 1e-7
 
 INSIDE = 0
 """The code of a node at which every condition holds."""
+
+
+WORTH_BOXES = 4096
+"""Fewer nodes are asked one by one before boxes of them are judged."""
+
+FEWEST = 30
+"""Boxes of no more nodes cost less asked than judged."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +91,7 @@ def scan(
     stop: int,
     *,
     by_lines: bool = True,
+    by_boxes: bool = True,
     among: Booleans | None = None,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` of the grid belong to the workspace.
@@ -88,8 +99,10 @@ def scan(
     A node belongs when every condition holds; its code is 0 then, else that of the first
     condition, and of that condition's first part, that fails (see `reason_codes`). The leading
     conditions that have closed forms along a line are decided line by line, unless `by_lines` is
-    false: then node by node like the others, with the same result. With `among`, shape
-    (stop - start,), only these nodes are held against the other conditions, and have fields.
+    false. Of the nodes that are left, whole boxes are told by what bounds prove of them, unless
+    `by_boxes` is false or fields are asked for, and all others by themselves. The result is that
+    of nodes asked one by one. With `among`, shape (stop - start,), only these nodes are held
+    against the other conditions, and have fields.
 
     References
     ----------
@@ -100,21 +113,64 @@ def scan(
     rest, first = conditions[walked:], 1 + sum(len(c.legs) for c in conditions[:walked])
     if not rest and not fields:
         return Scan(codes, lengths, {})
+    left = _Left(mechanism, rest, first, grid)
+    if by_boxes and not fields and left.told_by_boxes(codes, lengths):
+        return Scan(*left.by_boxes(codes, lengths, start, among), {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
     asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
-    kept: dict[str, list[Floats]] = {name: [] for name in fields}
-    # Fields of no node at all still have a shape.
-    for at in range(0, max(1, asked.size), BLOCK):
-        chosen = asked[at : at + BLOCK]
-        block = Configuration(mechanism, grid.poses_at(nodes[chosen]))
-        own = np.zeros(chosen.size, np.uint8)
-        block = _sift(block, rest, first, own)
-        verdicts[chosen] = own
-        for name, field in fields.items():
-            kept[name].append(field(block).T)
+    verdicts[asked], kept = left.by_nodes(nodes[asked], fields)
     codes, lengths = kernels.refine(codes, lengths, verdicts, grid.shape[-1], start)
-    return Scan(codes, lengths, {name: np.concatenate(parts) for name, parts in kept.items()})
+    return Scan(codes, lengths, kept)
+
+
+@dataclass(frozen=True)
+class _Left:
+    """The conditions that whole lines do not tell, and the code of the first part of them."""
+
+    mechanism: Mechanism
+    conditions: Sequence[Condition]
+    first: int
+    grid: Grid
+
+    def by_nodes(
+        self, nodes: Integers, fields: Mapping[str, Field]
+    ) -> tuple[Bytes, dict[str, Floats]]:
+        """Return the codes of flat nodes and the fields of those inside, block by block."""
+        codes = np.zeros(nodes.size, np.uint8)
+        kept: dict[str, list[Floats]] = {name: [] for name in fields}
+        # Fields of no node at all still have a shape.
+        for at in range(0, max(1, nodes.size), BLOCK):
+            part = slice(at, at + BLOCK)
+            block = Configuration(self.mechanism, self.grid.poses_at(nodes[part]))
+            block = _sift(block, self.conditions, self.first, codes[part])
+            for name, field in fields.items():
+                kept[name].append(field(block).T)
+        return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
+
+    def told_by_boxes(self, codes: Bytes, lengths: Integers) -> bool:
+        """Return whether boxes can be told at all, and are enough to be worth the trouble."""
+        return bounded(self.mechanism) and int(lengths[codes == INSIDE].sum()) >= WORTH_BOXES
+
+    def by_boxes(
+        self, codes: Bytes, lengths: Integers, start: int, among: Booleans | None
+    ) -> tuple[Bytes, Integers]:
+        """Return the runs with the nodes of code 0 given their own, boxes told by bounds first."""
+        dense = np.repeat(codes, lengths)
+        asked = dense == INSIDE if among is None else (dense == INSIDE) & among
+        size = _size(self.mechanism, self.grid)
+        own = decide(
+            self.mechanism.motion,
+            self.grid,
+            start,
+            start + dense.size,
+            Judgement(self.mechanism, self.conditions, self.first, INSIDE, size),
+            lambda nodes: self.by_nodes(nodes, {})[0],
+            among=asked,
+            fewest=FEWEST,
+        )
+        dense[asked] = own[asked]
+        return line_runs(dense, start, self.grid.shape[-1])
 
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
