@@ -10,8 +10,6 @@ from mechanics.grid import Grid
 from mechanics.kernels.octree import UNSEEN, Boxes, centres, fill, halved, holding
 from mechanics.motions import Motion
 
-FEWEST = 4
-"""Boxes of no more nodes are not judged but asked node by node."""
 WIDENED = 1.0 + 2.0**-48
 """What a sum of a few squares, and its root, may have lost to rounding is less than this."""
 
@@ -46,7 +44,7 @@ def decide(
     ask: Ask,
     *,
     among: Booleans | None = None,
-    fewest: int = FEWEST,
+    fewest: int = 4,
 ) -> Bytes:
     """Return the codes of flat nodes `start` to `stop`, shape (stop - start,), as `ask` has them.
 
@@ -84,7 +82,7 @@ def _judge_boxes(
 ) -> None:
     """Write the codes of the nodes that judgements of boxes tell."""
     minima, steps, shape, columns, fixed = grid.kernel
-    speeds = np.linalg.norm(motion.twists.reshape(2, 3, -1), axis=1)[:, columns]
+    speeds = np.sqrt(np.sum(np.square(motion.twists.reshape(2, 3, -1)), axis=1))[:, columns]
     kinds = (speeds[0] > 0.0).astype(np.int64)
     boxes = boxes_of(grid.shape, start, stop)
     while boxes.first.shape[1]:
@@ -99,8 +97,9 @@ def _judge_boxes(
 
 def _reach(speeds: Floats, halves: Floats) -> Reach:
     """Return how far nodes are from centres; the twists of a motion are orthonormal."""
-    positions = np.sqrt(np.square(speeds[0]) @ np.square(halves)) * WIDENED
-    return Reach(positions, speeds[1] @ halves * WIDENED)
+    moved, turned = speeds[:, :, None] * halves
+    positions = np.sqrt(np.sum(np.square(moved), axis=0))
+    return Reach(positions * WIDENED, np.sum(turned, axis=0) * WIDENED)
 
 
 def boxes_of(shape: Sequence[int], start: int, stop: int) -> Boxes:

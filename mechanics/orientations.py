@@ -14,6 +14,7 @@ from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
 from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
+from mechanics.octree import decide
 from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
 from mechanics.workspace import INSIDE, Scan, line_runs, provable, ranks_of, scan
@@ -115,6 +116,7 @@ def scan_orientations(
     *,
     every: bool,
     measured: bool,
+    by_boxes: bool = True,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` belong at some, or at every, orientation.
 
@@ -128,9 +130,12 @@ def scan_orientations(
     every : at every orientation, not at some.
     measured : whether the field `free_orientation` is kept, the size of the part of the range at
         which the conditions hold. [rad to the number of turns]
+    by_boxes : whether nodes are told many at once where bounds allow it; else all of them one by
+        one, with the same result.
     """
     codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
-    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, np.zeros(codes.size))
+    held = np.zeros(codes.size)
+    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, held, by_boxes)
     turn = orientations.turn
     if turn is not None and all_round(conditions, orientations):
         tried.all_round(turn, orientations.grid)
@@ -163,6 +168,7 @@ class _Tried:
     measured: bool
     codes: Bytes
     held: Floats
+    by_boxes: bool
 
     @property
     def _stop(self) -> int:
@@ -189,18 +195,40 @@ class _Tried:
 
     def by_arcs(self, grid: Grid, turn: Turn) -> None:
         """Try the one orientation of a grid of the same positions, at all angles of a turn."""
-        fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
-        sizes = np.zeros(self.codes.size)
-        asked = np.flatnonzero(self._undecided)
         sweep = Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
-        fresh[asked], sizes[asked] = sweep.verdicts(self.start + asked)
+        sizes, open_ = np.zeros(self.codes.size), self._undecided
+
+        def ask(nodes: Integers) -> Bytes:
+            codes, sizes[nodes - self.start] = sweep.verdicts(nodes)
+            return codes
+
+        if self.by_boxes:
+            fresh = decide(
+                self.mechanism.motion,
+                grid,
+                self.start,
+                self._stop,
+                sweep.judge,
+                ask,
+                among=None if open_.all() else open_,
+                fewest=sweep.fewest,
+            )
+        else:
+            fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
+            fresh[open_] = ask(self.start + np.flatnonzero(open_))
+        if self.every and self.measured:
+            # Of measured nodes whole boxes are inside only where all of the turn is.
+            sizes[fresh == INSIDE] = 1.0
         self._put(fresh, sizes)
 
     def _put(self, fresh: Bytes, sizes: Floats) -> None:
+        """Put in what fresh orientations say, and at which share of them all conditions held."""
         if self.every:
-            at_every(fresh, sizes, self.codes, self.held)
+            at_every(fresh, self.codes)
         else:
-            at_some(fresh, sizes, self._ranks, self.codes, self.held)
+            at_some(fresh, self._ranks, self.codes)
+        if self.measured:
+            self.held[:] += sizes
 
     @property
     def _open(self) -> Booleans:

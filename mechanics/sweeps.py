@@ -12,9 +12,11 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.grid import Grid
-from mechanics.kernels.bands import hold_at
+from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.sweeps import ARCS_PER_TEST, sweep
+from mechanics.kernels.turn_boxes import judge_boxes
 from mechanics.mechanism import Mechanism
+from mechanics.octree import Reach
 from mechanics.turns import Turn
 from mechanics.workspace import BLOCK, INSIDE
 
@@ -24,12 +26,11 @@ NODES_SEARCHED = 128
 """Nodes whose arcs are searched together: each has hundreds of angles."""
 ANGLES_SEARCHED = 1 << 16
 """Angles looked at together, of all nodes: each has the margins of many parts."""
-STRIDE = 8
-"""Of so many neighbours one is asked first, and the others for what it found."""
 NO_PART = 255
+FEWEST_SWEPT = 16
+"""Boxes of no more nodes cost as much to judge as their nodes, where closed forms tell these."""
 
 Tests = tuple[tuple[Integers, Integers, Integers], Floats]
-Places = tuple[Floats, Floats, Floats]
 
 
 def swept(conditions: Sequence[Condition]) -> int:
@@ -58,60 +59,15 @@ def arcs_left(
     codes : array, shape (poses,), 0 for those that own arcs.
     arcs : those on which all conditions hold together.
     """
-    places = turn.places(poses)
-    return _arcs(mechanism, tests_of(conditions), turn, places, every=every)
-
-
-def codes_at_some(
-    mechanism: Mechanism, conditions: Sequence[Condition], turn: Turn, poses: Floats
-) -> Bytes:
-    """Return the codes that `arcs_left` does, sooner where neighbours have an angle in common.
-
-    Every eighth pose is asked for its arcs, and the seven beside it for the middle of one; only
-    those that do not hold there are asked for arcs of their own.
-    """
-    places, tests = turn.places(poses), tests_of(conditions)
-    few = slice(0, None, STRIDE)
-    codes = np.full(poses.shape[1], INSIDE, np.uint8)
-    codes[few], counts, starts, stops = _swept(mechanism, tests, turn, _chosen(places, few))
-    middles = np.where(counts > 0, 0.5 * (starts[0] + stops[0]), np.nan)
-    cosines, sines = (np.repeat(f(middles), STRIDE)[: codes.size] for f in (np.cos, np.sin))
-    holds = np.empty(codes.size, np.bool_)
-    hold_at(*tests, mechanism.legs, places, cosines, sines, holds)
-    holds[few] = True
-    rest = np.flatnonzero(~holds)
-    codes[rest] = _swept(mechanism, tests, turn, _chosen(places, rest))[0]
-    return codes
-
-
-def _arcs(
-    mechanism: Mechanism, tests: Tests, turn: Turn, places: Places, *, every: bool = False
-) -> tuple[Bytes, Arcs]:
-    """Return what `arcs_left` does, of places."""
-    codes, counts, starts, stops = _swept(mechanism, tests, turn, places, every=every)
-    owners = np.repeat(np.arange(codes.size), counts)
-    numbers = np.arange(owners.size) - np.repeat(np.cumsum(counts) - counts, counts)
-    return codes, Arcs(owners, starts[numbers, owners], stops[numbers, owners])
-
-
-def _swept(
-    mechanism: Mechanism, tests: Tests, turn: Turn, places: Places, *, every: bool = False
-) -> tuple[Bytes, Integers, Floats, Floats]:
-    """Return codes, numbers of arcs, and where these start and stop, shape (arcs, poses) each."""
-    count, most = places[0].shape[1], 1 + ARCS_PER_TEST * len(tests[1])
+    tests, count = tests_of(conditions), poses.shape[1]
+    most = 1 + ARCS_PER_TEST * len(tests[1])
     codes, counts = np.empty(count, np.uint8), np.empty(count, np.int64)
     starts, stops = np.empty((most, count)), np.empty((most, count))
-    ends = turn.low, turn.high
+    places, ends = turn.places(poses), (turn.low, turn.high)
     sweep(*tests, mechanism.legs, places, ends, every, codes, counts, starts, stops)
-    return codes, counts, starts, stops
-
-
-def _chosen(places: Places, chosen: slice | Integers) -> Places:
-    """Return the chosen places; one rotation and axis that stand for all still do."""
-    positions, rotations, axes = (
-        part if part.shape[1] == 1 else np.ascontiguousarray(part[:, chosen]) for part in places
-    )
-    return positions, rotations, axes
+    owners = np.repeat(np.arange(count), counts)
+    numbers = np.arange(owners.size) - np.repeat(np.cumsum(counts) - counts, counts)
+    return codes, Arcs(owners, starts[numbers, owners], stops[numbers, owners])
 
 
 def tests_of(conditions: Sequence[Condition]) -> Tests:
@@ -137,6 +93,26 @@ class Sweep:
     every: bool
     measured: bool
 
+    @property
+    def fewest(self) -> int:
+        """How many nodes a box must have more than to be judged."""
+        return FEWEST_SWEPT if swept(self.conditions) == len(self.conditions) else 1
+
+    def judge(self, poses: Floats, reach: Reach) -> Bytes:
+        """Return the codes that all poses of boxes have, `UNSEEN` where they may differ.
+
+        The conditions that have closed forms tell who is outside, and inside too if nothing else
+        is asked for.
+        """
+        closed = self.conditions[: swept(self.conditions)]
+        tests, ends = tests_of(closed), (self.turn.low, self.turn.high)
+        codes = np.empty(poses.shape[1], np.uint8)
+        places = self.turn.places(poses)
+        judge_boxes(*tests, self.mechanism.legs, places, reach, ends, self.every, codes)
+        if len(closed) < len(self.conditions) or (self.measured and not self.every):
+            codes[codes == INSIDE] = UNSEEN
+        return codes
+
     def verdicts(self, nodes: Integers) -> tuple[Bytes, Floats]:
         """Return the codes of flat nodes, and the share of the turn at which all holds."""
         parts = [
@@ -158,11 +134,8 @@ class Sweep:
     def _block(self, nodes: Integers) -> tuple[Bytes, Floats]:
         poses = self.grid.poses_at(nodes)
         closed = self.conditions[: swept(self.conditions)]
-        if len(closed) == len(self.conditions) and not self.measured and not self.every:
-            codes = codes_at_some(self.mechanism, closed, self.turn, poses)
-            return codes, (codes == INSIDE).astype(np.float64)
         codes, arcs = arcs_left(self.mechanism, closed, self.turn, poses, every=self.every)
-        if not self.every and not self.measured:
+        if len(closed) < len(self.conditions) and not self.every and not self.measured:
             arcs = arcs.of(~self._somewhere_inside(poses, arcs, nodes.size))
         first = 1
         for number, condition in enumerate(self.conditions):

@@ -23,10 +23,9 @@ def union(scans: Sequence[Scan], conditions: Sequence[Condition], grid: Grid, st
     dense = [np.repeat(scan.codes, scan.lengths) for scan in scans]
     codes = np.full(dense[0].size, UNSEEN, np.uint8)
     owners = np.zeros(codes.size, np.int64)
-    unused = np.zeros(codes.size)
     for number, fresh in enumerate(dense):
         owners[(codes != INSIDE) & (fresh == INSIDE)] = number
-        at_some(fresh, unused, ranks_of(conditions), codes, unused)
+        at_some(fresh, ranks_of(conditions), codes)
     fields = {name: _chosen(name, scans, dense, codes, owners) for name in scans[0].fields}
     return Scan(*line_runs(codes, start, grid.shape[-1]), fields)
 

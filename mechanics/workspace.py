@@ -175,14 +175,11 @@ class _Left:
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     """Return codes and lengths of the runs of nodes with these codes, the first being `start`."""
-    ends = np.append(
-        np.arange(start - start % line + line, start + codes.size, line), start + codes.size
-    )
-    lines = np.diff(ends, prepend=start)
-    runs: tuple[Bytes, Integers] = kernels.refine(
-        np.zeros(lines.size, np.uint8), lines, codes, line, start
-    )
-    return runs
+    changed = np.ones(codes.size, np.bool_)
+    np.not_equal(codes[1:], codes[:-1], out=changed[1:])
+    changed[-start % line :: line] = True
+    begins = np.flatnonzero(changed)
+    return codes[begins], np.diff(begins, append=codes.size)
 
 
 def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> int:

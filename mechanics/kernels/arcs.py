@@ -24,6 +24,7 @@ def beside(X: Wave, low: float, high: float) -> int:
 @kernel
 def between(
     X: Wave,
+    middle: float,
     low: float,
     high: float,
     i: int,
@@ -32,12 +33,14 @@ def between(
     stops: Floats,
     left: Floats,
 ) -> int:
-    """Leave the arcs on which a wave, now in and now out, lies from low to high; -1: all."""
+    """Leave the arcs on which a wave, now in and now out, lies from low to high; -1: all.
+
+    It is highest at its middle: high enough near it, and low enough away from it.
+    """
     size = math.sqrt(X.c * X.c + X.s * X.s)
-    # The wave is highest at its middle: it is high enough near it and low enough away from it.
-    middle = math.atan2(X.s, X.c)
-    near = 0.0 if X.m + size <= high else math.acos((high - X.m) / size)
-    far = math.pi if X.m - size >= low else math.acos((low - X.m) / size)
+    # What touches a bound may, rounded, be beyond it.
+    near = 0.0 if X.m + size <= high else math.acos(max(-1.0, (high - X.m) / size))
+    far = math.pi if X.m - size >= low else math.acos(min(1.0, (low - X.m) / size))
     if near == 0.0:
         kept = _overlap(middle - far, middle + far, i, count, starts, stops, left, 0)
     elif far == math.pi:

@@ -8,12 +8,10 @@ are waves, m + c cos t + s sin t.
 import math
 from typing import NamedTuple
 
-from mechanics.arrays import Booleans, Floats, Integers
-from mechanics.kernels.arcs import beside
-from mechanics.kernels.compiling import inlined, kernel
-from mechanics.kernels.legs import Numbers, Vector, arm, numbers, span
+from mechanics.kernels.compiling import inlined
+from mechanics.kernels.legs import Numbers, Vector, span
 from mechanics.kernels.waves import Wave
-from mechanics.legs import CRANK, RAIL, STRUT, Legs
+from mechanics.legs import CRANK, RAIL, STRUT
 
 REACH, LIMITS, SPAN, NOTHING = 0, 1, 2, 3
 """Tests: the leg's equation is solvable; its drive is within its stops; |d|^2 within given bounds;
@@ -115,82 +113,3 @@ def band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]
         g = math.sqrt((L - along) * (L + along)) if abs(along) <= L else math.nan
         return along * along + (r - g) ** 2, along * along + (r + g) ** 2
     return max(LEAST_STRUT * square(d).m, LEAST_SQUARE), math.inf
-
-
-@inlined
-def _wave_and_band(
-    test: int, drive: int, leg: Numbers, asked_band: tuple[float, float], d: Turning, p: Vector
-) -> tuple[Wave, float, float]:
-    """Return |d|^2 of a platform at p, and between what it must lie. [m^2]"""
-    here = moved(d, p)
-    low, high = band(test, drive, leg, here)
-    low = asked_band[0] if test == SPAN else low
-    high = asked_band[1] if test == SPAN else high
-    return square(here), low, high
-
-
-@kernel
-def find_lost(
-    asked: tuple[Integers, Integers, Integers],
-    bounds: Floats,
-    legs: Legs,
-    places: tuple[Floats, Floats, Floats],
-    lost: Booleans,
-) -> None:
-    """Say of poses that they are lost where one of the first condition's tests fails all round.
-
-    Nothing is said where a rotation stands for one pose alone.
-    """
-    positions, rotations, axes = places
-    tests, own_legs, groups = asked
-    for k in range(tests.size):
-        if rotations.shape[1] > 1 or groups[k] > groups[0]:
-            break
-        leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
-        d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        if tests[k] == NOTHING or not by_band(tests[k], drive, leg, d):
-            continue
-        limits = bounds[k, 0], bounds[k, 1]
-        for i in range(lost.size):
-            p = positions[0, i], positions[1, i], positions[2, i]
-            X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-            lost[i] |= beside(X, low, high) < 0
-
-
-@kernel
-def hold_at(
-    asked: tuple[Integers, Integers, Integers],
-    bounds: Floats,
-    legs: Legs,
-    places: tuple[Floats, Floats, Floats],
-    cosines: Floats,
-    sines: Floats,
-    holds: Booleans,
-) -> None:
-    """Write whether all tests hold at an angle of each pose's, by bounds on |d|^2.
-
-    Where tests of another kind are asked, they are said not to hold.
-    """
-    positions, rotations, axes = places
-    tests, own_legs, _ = asked
-    holds[:] = True
-    for k in range(tests.size):
-        if tests[k] == NOTHING or holds.size == 0:
-            continue
-        leg, drive = numbers(legs, own_legs[k]), legs.drive[own_legs[k]]
-        limits = bounds[k, 0], bounds[k, 1]
-        d = turning(leg, arm(leg, rotations, 0), (axes[0, 0], axes[1, 0], axes[2, 0]))
-        banded = by_band(tests[k], drive, leg, d)
-        if rotations.shape[1] > 1:
-            for i in range(holds.size):
-                d = turning(leg, arm(leg, rotations, i), (axes[0, i], axes[1, i], axes[2, i]))
-                p = positions[0, i], positions[1, i], positions[2, i]
-                X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-                reached = X.m + X.c * cosines[i] + X.s * sines[i]
-                holds[i] &= by_band(tests[k], drive, leg, d) & (reached >= low) & (reached <= high)
-        else:
-            for i in range(holds.size):
-                p = positions[0, i], positions[1, i], positions[2, i]
-                X, low, high = _wave_and_band(tests[k], drive, leg, limits, d, p)
-                reached = X.m + X.c * cosines[i] + X.s * sines[i]
-                holds[i] &= banded & (reached >= low) & (reached <= high)

@@ -1,8 +1,4 @@
-"""Verdicts at many orientations put together: those at fresh ones into a node's code so far.
-
-`sizes` says which share of the fresh orientations each node meets all conditions at, and `held`
-sums it up.
-"""
+"""Verdicts at many orientations put together: those at fresh ones into a node's code so far."""
 
 from mechanics.arrays import Bytes, Floats
 from mechanics.kernels.compiling import inlined, kernel
@@ -21,18 +17,16 @@ def sooner(code: int, former: int) -> bool:
 
 
 @kernel
-def at_some(fresh: Bytes, sizes: Floats, ranks: Floats, codes: Bytes, held: Floats) -> None:
+def at_some(fresh: Bytes, ranks: Floats, codes: Bytes) -> None:
     """Keep, shape (nodes,), the code that came farthest, of equals the first; 0 came through."""
     for i in range(codes.size):
         if farther(fresh[i], codes[i], ranks):
             codes[i] = fresh[i]
-        held[i] += sizes[i]
 
 
 @kernel
-def at_every(fresh: Bytes, sizes: Floats, codes: Bytes, held: Floats) -> None:
+def at_every(fresh: Bytes, codes: Bytes) -> None:
     """Keep, shape (nodes,), the first code that any orientation breaks; 0 while none does."""
     for i in range(codes.size):
         if sooner(fresh[i], codes[i]):
             codes[i] = fresh[i]
-        held[i] += sizes[i]

@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 
-from mechanics.arrays import Booleans, Bytes, Floats, Integers
+from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.arcs import beside, between, changed, cut, keep
 from mechanics.kernels.bands import (
     NOTHING,
@@ -20,7 +20,6 @@ from mechanics.kernels.bands import (
     band,
     by_band,
     dot,
-    find_lost,
     moved,
     product,
     square,
@@ -83,12 +82,8 @@ def sweep(
     """
     tests, own_legs, groups = asked
     first = np.zeros(codes.size, np.int64)
-    # Who is done with when anything of a whole turn is missing, whichever part of it.
-    done = np.zeros(codes.size, np.bool_)
-    if ends[1] - ends[0] >= TURN and every:
-        done[:] = True
-    elif ends[1] - ends[0] >= TURN:
-        find_lost(asked, bounds, legs, places, done)
+    # Whatever part of a whole turn is missing, a pose is done with if all of it is asked.
+    done = every and ends[1] - ends[0] >= TURN
     codes[:] = 0
     counts[:] = 1
     starts[0], stops[0] = ends
@@ -116,7 +111,7 @@ def _one_test(
     drive: int,
     leg: Numbers,
     asked_band: tuple[float, float],
-    done: Booleans,
+    done: bool,
     places: tuple[Floats, Floats, Floats],
     first: Integers,
     counts: Integers,
@@ -125,7 +120,7 @@ def _one_test(
 ) -> None:
     """Leave of every pose's arcs those on which a test holds; `first` keeps who took anything.
 
-    Of a pose that is `done` with as soon as any is missing, no arcs are left then.
+    Of poses that are `done` with as soon as any is missing, no arcs are left then.
     """
     positions, rotations, axes = places
     events = np.empty(2 * ARCS_PER_TEST)
@@ -148,8 +143,9 @@ def _one_test(
             if side > 0:
                 continue
             count = 0
-            if side == 0 and not done[i]:
-                count = between(X, low, high, i, counts[i], starts, stops, left)
+            if side == 0 and not done:
+                middle = math.atan2(X.s, X.c)
+                count = between(X, middle, low, high, i, counts[i], starts, stops, left)
         else:
             count = _by_events(
                 test, drive, leg, here, i, counts[i], starts, stops, left, events, cells
