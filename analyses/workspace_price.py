@@ -7,7 +7,7 @@ from analyses.workspace_setup import WorkspaceSetup
 from mechanics.legs import STRUT
 from mechanics.orientations import Orientations, all_round, sampled_work
 from mechanics.sweeps import swept
-from mechanics.workspace import provable
+from mechanics.workspace import asked_share, provable
 from schemas.workspace import WorkspaceRequest
 
 SECONDS_PER_NODE = 1.5e-7
@@ -27,6 +27,8 @@ SECONDS_PER_LEG = {
 }
 SECONDS_BY_LINES = 5e-9
 """Of a leg's condition that is decided along whole lines."""
+SECONDS_BY_BOXES = 3e-8
+"""Of a node in boxes that are judged, before any is asked by itself."""
 SECONDS_ALL_ROUND = 6e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
 SECONDS_ASLANT = 2.5e-6
@@ -56,10 +58,21 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     # What a block keeps for its condition and its field alike is computed once.
     kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
     names = checked + [name for name in kept if name == "effort" or name not in checked]
-    per_leg = decided * price + sum(SECONDS_PER_LEG[name] for name in names)
+    asked = sum(SECONDS_PER_LEG[name] for name in names)
     once = SECONDS_PER_NODE if names or setup.fields else 0.0
+    share = _asked_share(setup)
+    boxes = SECONDS_BY_BOXES if share < 1.0 else 0.0
     many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-    return (once + setup.mechanism.drive_count * per_leg) * many
+    legs = setup.mechanism.drive_count
+    return (boxes + share * once + legs * (decided * price + share * asked)) * many
+
+
+def _asked_share(setup: WorkspaceSetup) -> float:
+    """Return which share of the nodes that lines leave are asked by themselves."""
+    orientations = setup.orientations
+    if setup.fields or (orientations is not None and orientations.turn is not None):
+        return 1.0
+    return asked_share(setup.mechanism, setup.conditions, setup.grid)
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:

@@ -82,12 +82,11 @@ def _judge_boxes(
 ) -> None:
     """Write the codes of the nodes that judgements of boxes tell."""
     minima, steps, shape, columns, fixed = grid.kernel
-    speeds = np.sqrt(np.sum(np.square(motion.twists.reshape(2, 3, -1)), axis=1))[:, columns]
-    kinds = (speeds[0] > 0.0).astype(np.int64)
+    kinds = (_speeds(motion, grid)[0] > 0.0).astype(np.int64)
     boxes = boxes_of(grid.shape, start, stop)
     while boxes.first.shape[1]:
         poses, halves = centres(boxes, minima, steps, columns, fixed)
-        own = judge(poses, _reach(speeds, halves))
+        own = judge(poses, reach_of(motion, grid, halves))
         fill(boxes, own, shape, start, codes)
         boxes = halved(boxes, own, halves, kinds, fewest)
         if among is not None:
@@ -95,9 +94,19 @@ def _judge_boxes(
             boxes = Boxes(*(np.ascontiguousarray(part[:, kept]) for part in boxes))
 
 
-def _reach(speeds: Floats, halves: Floats) -> Reach:
-    """Return how far nodes are from centres; the twists of a motion are orthonormal."""
-    moved, turned = speeds[:, :, None] * halves
+def _speeds(motion: Motion, grid: Grid) -> Floats:
+    """Return how fast each axis of a grid moves and turns the platform, shape (2, axes)."""
+    columns = list(grid.columns)
+    speeds: Floats = np.sqrt(np.sum(np.square(motion.twists.reshape(2, 3, -1)), axis=1))[:, columns]
+    return speeds
+
+
+def reach_of(motion: Motion, grid: Grid, halves: Floats) -> Reach:
+    """Return how far nodes are from centres; the twists of a motion are orthonormal.
+
+    `halves`, shape (axes, boxes), is half the length of each box along each axis. [m or rad]
+    """
+    moved, turned = _speeds(motion, grid)[:, :, None] * halves
     positions = np.sqrt(np.sum(np.square(moved), axis=0))
     return Reach(positions * WIDENED, np.sum(turned, axis=0) * WIDENED)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analyses.mechanisms import build
+from mechanics import workspace
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.actuator_speed import ActuatorSpeed
@@ -161,6 +162,13 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
     assert without == ["geared_decoupled", "spherical_3rrr"]
 
 
+@pytest.fixture
+def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Judge boxes however few nodes they have, and there are."""
+    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "FEWEST": 4}.items():
+        monkeypatch.setattr(workspace, name, value)
+
+
 def same(one: Scan, other: Scan) -> bool:
     return one.codes.tobytes() == other.codes.tobytes() and (
         one.lengths.tobytes() == other.lengths.tobytes()
@@ -179,6 +187,7 @@ def grid_of(draw: Draw, mechanism: Mechanism, names: list[str], nodes: int) -> G
     return Grid(axes, tuple(columns), middle)
 
 
+@pytest.mark.usefixtures("boxes_always")
 @pytest.mark.parametrize("kind", ["moving", "turning"])
 @pytest.mark.parametrize("name", NAMES)
 def test_boxes_and_nodes_agree(name: str, kind: str) -> None:
@@ -217,6 +226,7 @@ def counting(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     return count
 
 
+@pytest.mark.usefixtures("boxes_always")
 def test_half_the_step_asks_far_less_than_all_the_nodes(monkeypatch: pytest.MonkeyPatch) -> None:
     random = np.random.default_rng(47)
     draw = DRAWS["delta_rotary"](random)
@@ -226,13 +236,14 @@ def test_half_the_step_asks_far_less_than_all_the_nodes(monkeypatch: pytest.Monk
     conditions = [Reach(mechanism), Determinant(limit)]
     count = counting(monkeypatch)
     asked = []
-    for nodes in (40**3, 80**3):
+    for nodes in (30**3, 60**3):
         grid = grid_of(draw, mechanism, ["x", "y", "z"], nodes)
         scan(mechanism, conditions, grid, {}, 0, grid.size)
         asked.append(count() / grid.size)
     assert asked[1] < 0.7 * asked[0]
 
 
+@pytest.mark.usefixtures("boxes_always")
 @pytest.mark.parametrize("name", ["delta_rotary", "gough_stewart", "planar_3rrr"])
 def test_a_stretch_by_boxes_may_begin_and_end_within_a_line(name: str) -> None:
     random = np.random.default_rng(53)
@@ -250,6 +261,7 @@ def test_a_stretch_by_boxes_may_begin_and_end_within_a_line(name: str) -> None:
         assert np.array_equal(np.repeat(part.codes, part.lengths), dense[start:stop])
 
 
+@pytest.mark.usefixtures("boxes_always")
 def test_only_nodes_asked_for_are_told_by_boxes() -> None:
     random = np.random.default_rng(59)
     draw = DRAWS["delta_linear"](random)
