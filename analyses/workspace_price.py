@@ -5,7 +5,7 @@ import numpy as np
 from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.legs import STRUT
-from mechanics.orientations import Orientations, all_round, sampled_work
+from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
 from mechanics.workspace import asked_share, provable
 from schemas.workspace import WorkspaceRequest
@@ -28,11 +28,17 @@ SECONDS_PER_LEG = {
 SECONDS_BY_LINES = 5e-9
 """Of a leg's condition that is decided along whole lines."""
 SECONDS_BY_BOXES = 3e-8
-"""Of a node in boxes that are judged, before any is asked by itself."""
-SECONDS_ALL_ROUND = 6e-8
+"""Of a node in boxes that are judged by bounds, before any is asked by itself."""
+SECONDS_ALL_ROUND = 8e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
-SECONDS_ASLANT = 2.5e-6
+SECONDS_ASLANT = 4e-7
 """The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
+MET_LATER = 0.25
+"""The share of nodes asked by themselves that meet the first condition and are held to others."""
+SECONDS_JUDGED = 1.2e-6
+"""Of a box of nodes, of which bounds are to tell the code at all angles of a turn."""
+SECONDS_TOLD = 1e-8
+"""Of a node whose code may be that of its box: it is written, and read for runs."""
 SECONDS_WEIGHED = 2e-9
 """Of a leg's condition at a node and one of many orientations, all angles of a turn included."""
 SECONDS_CUT, SECONDS_CUT_ASLANT = 6e-8, 5e-7
@@ -53,7 +59,7 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     orientations = setup.orientations
     if orientations is not None and all_round(setup.conditions, orientations):
         return _seconds_all_round(request, setup, orientations)
-    decided, price = _decided_cheaply(setup)
+    decided, told = _told_together(request, setup)
     checked = [condition.reason for condition in setup.conditions[decided:]]
     # What a block keeps for its condition and its field alike is computed once.
     kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
@@ -63,8 +69,9 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     share = _asked_share(setup)
     boxes = SECONDS_BY_BOXES if share < 1.0 else 0.0
     many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-    legs = setup.mechanism.drive_count
-    return (boxes + share * once + legs * (decided * price + share * asked)) * many
+    tried = (boxes + share * (once + setup.mechanism.drive_count * asked)) * many
+    grids = 1 if orientations is None else orientations.grid.size
+    return tried + told * grids * len(setup.mechanisms)
 
 
 def _asked_share(setup: WorkspaceSetup) -> float:
@@ -83,12 +90,26 @@ def seconds_per_tile(setup: WorkspaceSetup) -> float:
     return orientations.grid.size * len(setup.mechanisms) * SECONDS_PER_ORIENTATION
 
 
-def _decided_cheaply(setup: WorkspaceSetup) -> tuple[int, float]:
-    """Return how many leading conditions are decided for many nodes at once, at what price. [s]"""
+def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[int, float]:
+    """Return how many leading conditions are told for many nodes at once, and their cost a node."""
     orientations = setup.orientations
-    if orientations is not None and orientations.turn is not None:
-        return swept(setup.conditions), SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
-    return provable(setup.mechanism, setup.conditions, setup.grid), SECONDS_BY_LINES
+    if orientations is None or orientations.turn is None:
+        decided = provable(setup.mechanism, setup.conditions, setup.grid)
+        return decided, setup.mechanism.drive_count * decided * SECONDS_BY_LINES
+    decided = swept(setup.conditions)
+    parts = [len(condition.legs) for condition in setup.conditions[:decided]]
+    tests = sum(parts[:1]) + MET_LATER * sum(parts[1:])
+    work = foreseen(
+        setup.mechanism,
+        setup.conditions,
+        setup.grid,
+        orientations,
+        every=request.type in EVERY,
+        measured=bool(request.fields),
+    )
+    asked = SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
+    total = SECONDS_JUDGED * work.judged + asked * tests * work.asked
+    return decided, SECONDS_TOLD + total / setup.grid.size
 
 
 def _aslant(setup: WorkspaceSetup) -> bool:

@@ -1,6 +1,6 @@
 """Octrees: nodes of a grid told box by box, so that the cost follows a surface and not its box."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +12,17 @@ from mechanics.motions import Motion
 
 WIDENED = 1.0 + 2.0**-48
 """What a sum of a few squares, and its root, may have lost to rounding is less than this."""
+
+
+FORESEEN = 512
+"""So many boxes are judged to see what all will take."""
+
+
+class Work(NamedTuple):
+    """How many boxes are judged, and of how many nodes each is asked by itself."""
+
+    judged: float
+    asked: float
 
 
 class Reach(NamedTuple):
@@ -60,7 +71,9 @@ def decide(
     """
     codes = np.full(stop - start, UNSEEN, np.uint8)
     if grid.axes:
-        _judge_boxes(motion, grid, start, stop, judge, among, fewest, codes)
+        boxes = boxes_of(grid.shape, start, stop)
+        for some, own in _levels(motion, grid, boxes, judge, fewest, start, among):
+            fill(some, own, grid.kernel[2], start, codes)
     open_ = codes == UNSEEN
     if among is not None:
         open_ &= among
@@ -70,24 +83,50 @@ def decide(
     return codes
 
 
-def _judge_boxes(
+def foresee(motion: Motion, grid: Grid, judge: Judge, fewest: int) -> Work:
+    """Return what `decide` will take for all nodes of a grid, from the larger boxes alone.
+
+    What is not told of them is the share near a surface, which narrows as boxes do, and the share
+    that no box tells.
+    """
+    if not grid.axes:
+        return Work(0.0, float(grid.size))
+    judged, mean, shares, boxes = 0.0, 1.0, [1.0], boxes_of(grid.shape, 0, grid.size)
+    for some, own in _levels(motion, grid, boxes, judge, fewest):
+        sizes = np.prod(some.last - some.first + 1, axis=0)[own == UNSEEN]
+        judged += own.size
+        shares.append(float(sizes.sum()) / grid.size)
+        mean = float(sizes.mean()) if sizes.size else 1.0
+        if own.size >= FORESEEN:
+            break
+    never = max(0.0, 2.0 * shares[-1] - shares[-2])
+    beside = shares[-1] - never
+    axes = sum(count > 1 for count in grid.shape)
+    while mean > fewest:
+        side = mean ** (1.0 / axes)
+        mean /= 2.0**axes
+        judged += (never + beside) * grid.size / max(1.0, mean)
+        # A box of n nodes a side is only n - 1 steps wide.
+        beside *= max(0.0, (0.5 * side - 1.0) / (side - 1.0))
+    return Work(judged, (never + beside) * grid.size)
+
+
+def _levels(
     motion: Motion,
     grid: Grid,
-    start: int,
-    stop: int,
+    boxes: Boxes,
     judge: Judge,
-    among: Booleans | None,
     fewest: int,
-    codes: Bytes,
-) -> None:
-    """Write the codes of the nodes that judgements of boxes tell."""
+    start: int = 0,
+    among: Booleans | None = None,
+) -> Iterator[tuple[Boxes, Bytes]]:
+    """Yield boxes and what is judged of them, then the halves of those that are not told."""
     minima, steps, shape, columns, fixed = grid.kernel
     kinds = (_speeds(motion, grid)[0] > 0.0).astype(np.int64)
-    boxes = boxes_of(grid.shape, start, stop)
     while boxes.first.shape[1]:
         poses, halves = centres(boxes, minima, steps, columns, fixed)
         own = judge(poses, reach_of(motion, grid, halves))
-        fill(boxes, own, shape, start, codes)
+        yield boxes, own
         boxes = halved(boxes, own, halves, kinds, fewest)
         if among is not None:
             kept = holding(boxes, shape, start, among)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mechanics import octree
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
@@ -14,7 +15,6 @@ from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
 from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.mechanism import Mechanism
-from mechanics.octree import decide
 from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
 from mechanics.workspace import INSIDE, Scan, line_runs, provable, ranks_of, scan
@@ -89,6 +89,24 @@ def sampled_work(
     )
     pairs = nodes.size * tried.size
     return Work(weighed / pairs, cut / pairs)
+
+
+def foreseen(
+    mechanism: Mechanism,
+    conditions: Sequence[Condition],
+    grid: Grid,
+    orientations: Orientations,
+    *,
+    every: bool,
+    measured: bool,
+) -> octree.Work:
+    """Return what one orientation takes, with all angles of a turn, from large boxes of nodes."""
+    turn = orientations.turn
+    if turn is None:
+        return octree.Work(0.0, float(grid.size))
+    turned = replace(grid, fixed=orientations.grid.poses(0, 1)[:, 0])
+    sweep = Sweep(mechanism, conditions, turned, turn, every, measured)
+    return octree.foresee(mechanism.motion, turned, sweep.judge, sweep.fewest)
 
 
 def _spread(size: int, most: int) -> Integers:
@@ -203,7 +221,7 @@ class _Tried:
             return codes
 
         if self.by_boxes:
-            fresh = decide(
+            fresh = octree.decide(
                 self.mechanism.motion,
                 grid,
                 self.start,

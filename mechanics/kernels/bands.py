@@ -113,3 +113,49 @@ def band(test: int, drive: int, leg: Numbers, d: Turning) -> tuple[float, float]
         g = math.sqrt((L - along) * (L + along)) if abs(along) <= L else math.nan
         return along * along + (r - g) ** 2, along * along + (r + g) ** 2
     return max(LEAST_STRUT * square(d).m, LEAST_SQUARE), math.inf
+
+
+@inlined
+def band_within(
+    test: int,
+    drive: int,
+    leg: Numbers,
+    asked_band: tuple[float, float],
+    d: Turning,
+    slack: float,
+) -> tuple[float, float]:
+    """Return the least and greatest |d|^2 of a test whose lengths may be off by a slack. [m^2]
+
+    Where that is below 0, at which they must not be off.
+    """
+    if test == SPAN:
+        low, high = asked_band
+        least = math.sqrt(low) if low > 0.0 else 0.0
+        greatest = math.sqrt(high) if high >= 0.0 else -math.inf
+        return _squares(least - slack if least > 0.0 else 0.0, greatest + slack, 0.0)
+    if test == LIMITS:
+        least = leg.lower_limit
+        return _squares(least - slack if least > 0.0 else 0.0, leg.upper_limit + slack, 0.0)
+    if drive == STRUT:
+        return _squares(math.sqrt(LEAST_STRUT * square(d).m) - slack, math.inf, 0.0)
+    along, r, L = dot(d.still, leg.axis), leg.crank_length, leg.rod_length
+    if drive == RAIL:
+        return _squares(0.0, L + slack, along)
+    # The nearest point of the crank's circle must be as near as a rod, the farthest as far.
+    near, far = _across(L + slack, along), _across(L - slack, along)
+    if near < 0.0 or (far < 0.0 and slack < 0.0):
+        return math.inf, -math.inf
+    return _squares(max(r - near, far - r), r + near, along)
+
+
+@inlined
+def _across(length: float, along: float) -> float:
+    """Return how far a point is across an axis that is so far away and along it; < 0: nowhere."""
+    return math.sqrt((length - along) * (length + along)) if length >= abs(along) else -1.0
+
+
+@inlined
+def _squares(least: float, greatest: float, along: float) -> tuple[float, float]:
+    """Return bounds of |d|^2 from those of its length across an axis along which it is known."""
+    low = least * least + along * along if least > 0.0 else -math.inf
+    return low, greatest * greatest + along * along if greatest >= 0.0 else -math.inf

@@ -14,12 +14,11 @@ import numpy as np
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.kernels.arcs import beside, between
 from mechanics.kernels.bands import (
-    LEAST_STRUT,
-    LIMITS,
     NOTHING,
     REACH,
     SPAN,
     Turning,
+    band_within,
     dot,
     moved,
     square,
@@ -31,7 +30,7 @@ from mechanics.kernels.legs import Numbers, Vector, arm, numbers
 from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.sweeps import ARCS_PER_TEST
 from mechanics.kernels.waves import Wave
-from mechanics.legs import RAIL, STRUT, Legs
+from mechanics.legs import STRUT, Legs
 
 SLACK = 1e-6
 """By this share of all lengths bounds are moved more than they need be.
@@ -191,11 +190,11 @@ def _cut_both(
     else 0; nobody asks once the first test is known.
     """
     X = square(d)
-    narrow = _band_within(test, drive, leg, asked_band, d, -slack)
+    narrow = band_within(test, drive, leg, asked_band, d, -slack)
     inner = beside(X, narrow[0], narrow[1])
     if inner > 0:
         return -1
-    wide = _band_within(test, drive, leg, asked_band, d, slack)
+    wide = band_within(test, drive, leg, asked_band, d, slack)
     outer = beside(X, wide[0], wide[1])
     middle = math.atan2(X.s, X.c) if inner == 0 or outer == 0 else 0.0
     sure, fresh = outer < 0, not state.touched[i]
@@ -255,49 +254,3 @@ def _bounded(test: int, drive: int, leg: Numbers, d: Turning, turned: float) -> 
         return True
     # What is steady at the centre is so elsewhere only if nothing turns.
     return test == REACH and turned == 0.0 and steady(leg, d)
-
-
-@inlined
-def _band_within(
-    test: int,
-    drive: int,
-    leg: Numbers,
-    asked_band: tuple[float, float],
-    d: Turning,
-    slack: float,
-) -> tuple[float, float]:
-    """Return the least and greatest |d|^2 of a test whose lengths may be off by a slack. [m^2]
-
-    Where that is below 0, at which they must not be off.
-    """
-    if test == SPAN:
-        low, high = asked_band
-        least = math.sqrt(low) if low > 0.0 else 0.0
-        greatest = math.sqrt(high) if high >= 0.0 else -math.inf
-        return _squares(least - slack if least > 0.0 else 0.0, greatest + slack, 0.0)
-    if test == LIMITS:
-        least = leg.lower_limit
-        return _squares(least - slack if least > 0.0 else 0.0, leg.upper_limit + slack, 0.0)
-    if drive == STRUT:
-        return _squares(math.sqrt(LEAST_STRUT * square(d).m) - slack, math.inf, 0.0)
-    along, r, L = dot(d.still, leg.axis), leg.crank_length, leg.rod_length
-    if drive == RAIL:
-        return _squares(0.0, L + slack, along)
-    # The nearest point of the crank's circle must be as near as a rod, the farthest as far.
-    near, far = _across(L + slack, along), _across(L - slack, along)
-    if near < 0.0 or (far < 0.0 and slack < 0.0):
-        return math.inf, -math.inf
-    return _squares(max(r - near, far - r), r + near, along)
-
-
-@inlined
-def _across(length: float, along: float) -> float:
-    """Return how far a point is across an axis that is so far away and along it; < 0: nowhere."""
-    return math.sqrt((length - along) * (length + along)) if length >= abs(along) else -1.0
-
-
-@inlined
-def _squares(least: float, greatest: float, along: float) -> tuple[float, float]:
-    """Return bounds of |d|^2 from those of its length across an axis along which it is known."""
-    low = least * least + along * along if least > 0.0 else -math.inf
-    return low, greatest * greatest + along * along if greatest >= 0.0 else -math.inf

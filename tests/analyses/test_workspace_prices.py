@@ -41,3 +41,18 @@ def test_orientations_tried_one_by_one_cost_however_few_the_nodes(step: float) -
     assert price.nodes == 1
     assert price.mode == "job"
     assert price.seconds > count * ONE_BY_ONE
+
+
+def price_of_all_angles(count: int) -> float:
+    """Return the price of so many nodes a side at all angles of a turn. [s]"""
+    wire = DRAWS["planar_3rrr"](np.random.default_rng(0)).wire
+    axes = [{"coordinate": c, "min": -0.3, "max": 0.3, "step": 0.6 / count} for c in "xy"]
+    body = {"analysis": "workspace", "mechanism": wire, "type": "maximal", "class": "theoretical"}
+    request = parse_request(json.dumps(body | {"grid": axes}))
+    analyses.check(request, 10**9)
+    return analyses.estimate(request, SYNCHRONOUS).seconds
+
+
+def test_the_price_of_all_angles_grows_less_than_the_nodes() -> None:
+    coarse, fine = price_of_all_angles(500), price_of_all_angles(2000)
+    assert 4.0 * coarse < fine < 0.7 * 16.0 * coarse

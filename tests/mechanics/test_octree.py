@@ -9,7 +9,7 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.grid import Axis, Grid
 from mechanics.kernels.octree import UNSEEN
 from mechanics.motions import PLANAR, SPATIAL, SPHERICAL, Motion
-from mechanics.octree import Reach, boxes_of, decide
+from mechanics.octree import Reach, boxes_of, decide, foresee
 
 SHAPES = [(17,), (9, 14), (1, 30), (7, 1, 12), (6, 5, 8), (3, 4, 5, 6), (2, 3, 2, 3, 2, 3)]
 PLATFORM = np.array([[0.3, -0.2, 0.5], [-0.4, 0.1, 0.2]])
@@ -89,6 +89,29 @@ def test_few_nodes_are_asked_where_boxes_tell() -> None:
     rings = Rings(PLANAR, grid)
     decide(PLANAR, grid, 0, grid.size, rings.judge, rings.ask)
     assert rings.asked[0].size < 0.05 * grid.size
+
+
+@pytest.mark.parametrize(("motion", "counts"), [(PLANAR, (400, 500)), (SPATIAL, (40, 50, 60))])
+def test_what_all_boxes_take_is_seen_from_the_large_ones(
+    motion: Motion, counts: tuple[int, ...]
+) -> None:
+    columns = tuple(range(len(counts)))
+    axes = tuple(Axis("xyz"[k], -1.0, 1.0, 2.0 / n) for k, n in enumerate(counts))
+    grid = Grid(axes, columns, np.zeros(len(motion.coordinates)))
+    rings, judged = Rings(motion, grid), 0
+
+    def judge(poses: Floats, reach: Reach) -> Bytes:
+        nonlocal judged
+        judged += poses.shape[1]
+        return rings.judge(poses, reach)
+
+    for fewest in (9, 30):
+        judged = 0
+        rings.asked.clear()
+        decide(motion, grid, 0, grid.size, judge, rings.ask, fewest=fewest)
+        work = foresee(motion, grid, rings.judge, fewest)
+        assert 0.5 < work.judged / judged < 2.0
+        assert 0.5 < work.asked / rings.asked[0].size < 2.0
 
 
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 1.0])
