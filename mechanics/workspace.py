@@ -34,11 +34,14 @@ NEAR = 1e-7
 INSIDE = 0
 """The code of a node at which every condition holds."""
 
-WORTH_BOXES, SPARSE = 16384, 64
+WORTH_BOXES, SPARSE = 100_000, 64
 """Boxes are judged of at least so many nodes, and not if only one in so many is left to them."""
 
-SAMPLED, TRIED = 2048, 4
+SAMPLED, TRIED = 1024, 4
 """Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
+
+MOST_ASKED = 0.75
+"""If boxes leave a greater share of the nodes, all are asked at once."""
 
 FEWEST = 48
 """Boxes of no more nodes cost less asked than judged."""
@@ -117,7 +120,7 @@ def scan(
     if not rest and not fields:
         return Scan(codes, lengths, {})
     left = _Left(mechanism, rest, first, grid)
-    if by_boxes and not fields and left.told_by_boxes(codes, lengths):
+    if by_boxes and not fields and left.told_by_boxes(codes, lengths, start):
         return Scan(*left.by_boxes(codes, lengths, start, among), {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
@@ -151,10 +154,15 @@ class _Left:
                 kept[name].append(field(block).T)
         return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
 
-    def told_by_boxes(self, codes: Bytes, lengths: Integers) -> bool:
+    def told_by_boxes(self, codes: Bytes, lengths: Integers, start: int) -> bool:
         """Return whether boxes can be told at all, and are enough to be worth the trouble."""
         left, total = int(lengths[codes == INSIDE].sum()), int(lengths.sum())
-        return bounded(self.mechanism) and left >= WORTH_BOXES and left * SPARSE >= total
+        if not bounded(self.mechanism) or left < WORTH_BOXES or left * SPARSE < total:
+            return False
+        spread = np.linspace(0, left - 1, SAMPLED).astype(np.int64)
+        nodes = kernels.nodes_with(INSIDE, codes, lengths, start)[spread]
+        poses = self.grid.poses_at(nodes)
+        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses) <= MOST_ASKED
 
     def by_boxes(
         self, codes: Bytes, lengths: Integers, start: int, among: Booleans | None
@@ -198,7 +206,7 @@ def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) 
 def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
     """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
 
-    The boxes that a scan without fields judges are no larger than those tried here for long.
+    1 if no boxes will be judged; they are no larger than those tried here for long.
     """
     walked = provable(mechanism, conditions, grid)
     rest = conditions[walked:]
@@ -209,12 +217,19 @@ def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Gri
     left = np.ones(nodes.size, bool)
     for condition in conditions[:walked]:
         left &= np.all(condition.check(block) >= 0.0, axis=0)
-    poses = np.ascontiguousarray(block.poses[:, left])
+    share = _left_by_boxes(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
+    return share if share <= MOST_ASKED else 1.0
+
+
+def _left_by_boxes(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, poses: Floats
+) -> float:
+    """Return of which share of poses a box about them, as small as boxes get, is not told."""
     if not poses.size:
         return 1.0
     halves = np.array([0.5 * (TRIED - 1) * axis.step for axis in grid.axes])
     near = reach_of(mechanism.motion, grid, np.repeat(halves[:, None], poses.shape[1], axis=1))
-    judge = Judgement(mechanism, rest, 1, INSIDE, _size(mechanism, grid))
+    judge = Judgement(mechanism, conditions, 1, INSIDE, _size(mechanism, grid))
     return float(np.mean(judge(poses, near) == UNSEEN))
 
 

@@ -165,7 +165,7 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
 @pytest.fixture
 def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge boxes however few nodes they have, and there are."""
-    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "FEWEST": 4}.items():
+    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "FEWEST": 4, "MOST_ASKED": 2.0}.items():
         monkeypatch.setattr(workspace, name, value)
 
 
