@@ -31,7 +31,7 @@ SECONDS_BY_BOXES = 3e-8
 """Of a node in boxes that are judged by bounds, before any is asked by itself."""
 SECONDS_ALL_ROUND = 8e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
-SECONDS_ASLANT = 4e-7
+SECONDS_ASLANT = 6e-7
 """The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
 MET_LATER = 0.25
 """The share of nodes asked by themselves that meet the first condition and are held to others."""

@@ -99,7 +99,7 @@ def _by_ripple(
 ) -> None:
     for i in range(count):
         here = moved(d, (positions[0, i], positions[1, i], positions[2, i]))
-        sides[i] = above(discriminant(drive, leg, here))
+        sides[i] = above(discriminant(drive, leg, leg.rod_length, here))
 
 
 @inlined

@@ -177,7 +177,7 @@ def _by_events(
     Between two events the verdict is the same, and the middle decides.
     """
     low, high = starts[0, i], stops[count - 1, i]
-    f = discriminant(drive, leg, d)
+    f = discriminant(drive, leg, leg.rod_length, d)
     if test == REACH:
         met = ripple_roots(f, low, high, cells, events)
     else:
@@ -194,9 +194,9 @@ def _by_events(
 
 
 @inlined
-def discriminant(drive: int, leg: Numbers, d: Turning) -> Ripple:
-    """Return what must not be below 0 if a crank's or a rail's equation is to be solvable."""
-    r, L = leg.crank_length, leg.rod_length
+def discriminant(drive: int, leg: Numbers, L: float, d: Turning) -> Ripple:
+    """Return what must not be below 0 if a rod of length L is to reach from a crank or a rail."""
+    r = leg.crank_length
     X, along = square(d), product(d, leg.axis)
     whole = Ripple(X.m, X.c, X.s, 0.0, 0.0)
     if drive == RAIL:

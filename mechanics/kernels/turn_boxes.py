@@ -18,6 +18,7 @@ from mechanics.kernels.bands import (
     REACH,
     SPAN,
     Turning,
+    at_angle,
     band_within,
     dot,
     moved,
@@ -28,9 +29,10 @@ from mechanics.kernels.bands import (
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import Numbers, Vector, arm, numbers
 from mechanics.kernels.octree import UNSEEN
-from mechanics.kernels.sweeps import ARCS_PER_TEST
+from mechanics.kernels.sides import above
+from mechanics.kernels.sweeps import ARCS_PER_TEST, discriminant
 from mechanics.kernels.waves import Wave
-from mechanics.legs import STRUT, Legs
+from mechanics.legs import CRANK, STRUT, Legs
 
 SLACK = 1e-6
 """By this share of all lengths bounds are moved more than they need be.
@@ -143,13 +145,15 @@ def _one_test(
             d = turning(leg, arm(leg, rotations, at), (axes[0, at], axes[1, at], axes[2, at]))
         p = (positions[0, at], positions[1, at], positions[2, at])
         here = moved(d, p)
-        taken = 0
+        off = reach[0][at] + _length(leg.platform_point) * reach[1][at]
+        slack = (1.0 + SLACK) * off + SLACK * (size + _sum(p))
         if _bounded(test, drive, leg, here, reach[1][at]):
-            off = reach[0][at] + _length(leg.platform_point) * reach[1][at]
-            slack = (1.0 + SLACK) * off + SLACK * (size + _sum(p))
             taken = _cut_both(test, drive, leg, asked_band, here, slack, i, state)
         else:
-            state.counts[NARROW, i] = 0
+            taken = -_side(drive, leg, here, slack) if test == REACH else 0
+            for kind in range(2):
+                if taken > 0 or (taken == 0 and kind == NARROW):
+                    state.counts[kind, i] = 0
         if taken < 0:
             continue
         state.touched[i] = True
@@ -171,6 +175,28 @@ def _sum(v: Vector) -> float:
 def _length(v: Vector) -> float:
     """Return the length of a vector."""
     return math.sqrt(dot(v, v))
+
+
+@inlined
+def _side(drive: int, leg: Numbers, d: Turning, slack: float) -> int:
+    """Return 1 where a leg reaches all round from all poses of a box, -1 from none, 0: untold.
+
+    What its rod must reach is neither nearer nor farther than the rod is long; where it is of
+    neither of two lengths all round, it is on one side of both or between them all round.
+    """
+    L = leg.rod_length
+    long = above(discriminant(drive, leg, L + slack, d))
+    short = above(discriminant(drive, leg, L - slack, d)) if slack < L else 0
+    if long > 0:
+        return 1 if short > 0 else 0
+    d0 = at_angle(d, 0.0)
+    along = dot(d0, leg.axis)
+    across = math.sqrt(max(0.0, dot(d0, d0) - along * along))
+    r = leg.crank_length if drive == CRANK else 0.0
+    if long < 0 and math.hypot(along if drive == CRANK else 0.0, across - r) > L + slack:
+        return -1
+    near = short < 0 and drive == CRANK and math.hypot(along, across + r) < L - slack
+    return -1 if near else 0
 
 
 @inlined
