@@ -6,9 +6,10 @@ from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.inscribed import offers_box
 from mechanics.legs import CRANK, STRUT
+from mechanics.lines import provable
 from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
-from mechanics.workspace import provable
+from mechanics.workspace import asked_share
 from schemas.workspace import WorkspaceRequest
 
 SECONDS_PER_NODE = 1.5e-7
@@ -30,6 +31,8 @@ SECONDS_BY_LINES = 3e-10
 """Of a leg's condition that is decided along whole lines, a node."""
 SECONDS_PER_LINE, SECONDS_PER_LINE_OF_CRANKS = 1e-8, 1.5e-7
 """The same, a line: of rails and struts, and of cranks, most of all such with stops."""
+SECONDS_BY_BOXES = 3e-8
+"""Of a node in boxes that are judged by bounds, before any is asked by itself."""
 SECONDS_ALL_ROUND = 8e-8
 """Of a leg's condition that is decided at all angles of a turn at once."""
 SECONDS_ASLANT = 6e-7
@@ -67,12 +70,22 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     # What a block keeps for its condition and its field alike is computed once.
     kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
     names = checked + [name for name in kept if name == "effort" or name not in checked]
-    per_leg = sum(SECONDS_PER_LEG[name] for name in names)
+    asked = sum(SECONDS_PER_LEG[name] for name in names)
     once = SECONDS_PER_NODE if names or setup.fields else 0.0
+    share = _asked_share(setup)
+    boxes = SECONDS_BY_BOXES if share < 1.0 else 0.0
     many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
-    tried = (once + setup.mechanism.drive_count * per_leg) * many
+    tried = (boxes + share * (once + setup.mechanism.drive_count * asked)) * many
     grids = 1 if orientations is None else orientations.grid.size
     return tried + told * grids * len(setup.mechanisms)
+
+
+def _asked_share(setup: WorkspaceSetup) -> float:
+    """Return which share of the nodes that lines leave are asked by themselves."""
+    orientations = setup.orientations
+    if setup.fields or (orientations is not None and orientations.turn is not None):
+        return 1.0
+    return asked_share(setup.mechanism, setup.conditions, setup.grid)
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:

@@ -11,6 +11,7 @@ if __name__ == "__main__":
     workspaces.struts()
     workspaces.orientations()
     workspaces.fields()
+    workspaces.effective()
     poses.inverse_of_struts()
     poses.forward_of_struts()
     random_poses = np.random.default_rng(0).uniform(-0.05, 0.05, (200_000, 3))

@@ -13,6 +13,8 @@ from benchmarks.mechanisms import hexapod, planar
 from mechanics import fields as kept_fields
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
+from mechanics.conditions.effort import Effort
+from mechanics.conditions.pressure_angle import PressureAngle
 from mechanics.conditions.reach import Reach
 from mechanics.families.delta import delta_linear
 from mechanics.grid import Axis, Grid
@@ -161,3 +163,41 @@ def fields() -> None:
     differing = np.abs(found.fields["effort"] - efforts)[efforts < 100.0 * usual].max()
     assert differing < 1e-9 * usual, f"fields: efforts differ by {differing} N"
     compare("6-SPS with two fields, a node", ours, grid.size, "NumPy, blocks of 4096", theirs)
+
+
+def effective() -> None:
+    """Compare a 6-SPS with bounds on effort and pressure angle, a node, with NumPy's inversion."""
+    free_platform, _ = hexapod()
+    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
+    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    most, steepest = 0.95, np.deg2rad(50.0)
+    conditions = [
+        Reach(mechanism),
+        ActuatorLimits(mechanism),
+        Effort(mechanism, Load(1.0, 0.1), np.full(6, most)),
+        PressureAngle(mechanism, steepest),
+    ]
+
+    def grid(count: int) -> Grid:
+        step = 2.0 / (count - 1)
+        lows = zip("xyz", (-1.0, -1.0, 0.0), strict=True)
+        return Grid(tuple(Axis(c, low, low + 2.0, step) for c, low in lows), (0, 1, 2), np.zeros(6))
+
+    coarse, fine = grid(100), grid(200)
+    positions = np.ascontiguousarray(coarse.poses(0, coarse.size)[:3].T)
+    legs = mechanism.legs
+
+    def ours(of: Grid) -> Scan:
+        return scan(mechanism, conditions, of, {}, 0, of.size)
+
+    def theirs() -> NDArray[np.bool_]:
+        held, efforts, angles = rivals.strut_fields(
+            positions, legs.base_point, legs.platform_point, 0.9, 1.5
+        )
+        held[held] = (efforts <= most) & (angles <= steepest)
+        return held
+
+    found = ours(coarse)
+    assert np.array_equal(np.repeat(found.codes == 0, found.lengths), theirs())
+    name, rival = "6-SPS, effective, a node", "NumPy, blocks of 4096"
+    compare(name, partial(ours, fine), fine.size, rival, theirs, rival_items=coarse.size)

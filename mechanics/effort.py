@@ -8,6 +8,7 @@ from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
 from mechanics.kernels import batches, efforts
 from mechanics.loads import Load
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 class WorstLoad(NamedTuple):
@@ -80,6 +81,19 @@ def worst_efforts(block: Configuration, load: Load) -> Floats:
             motion.twists.T @ load.known,
         )
     return worst
+
+
+def worst_efforts_near(near: Neighbourhood, load: Load) -> Margins:
+    """Return bounds on the greatest efforts near the centres, rounding included. [N m or N]
+
+    Row i of J^-T is Jpsi times column i of Jx^-1, of which `near.mixing` says what others bring in.
+    """
+    rates = np.abs(near.centre.rods[1])
+    own = worst_efforts(near.centre, load) / np.where(rates > 0.0, rates, np.nan)
+    others = near.others(own)
+    blurs = near.blurs
+    least = np.maximum(own - others, 0.0) * near.rates[0] * (1.0 - blurs)
+    return Margins(least, (own + others) * near.rates[1] * (1.0 + blurs))
 
 
 def worst_load(block: Configuration, load: Load) -> WorstLoad:

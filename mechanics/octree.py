@@ -122,11 +122,10 @@ def _levels(
 ) -> Iterator[tuple[Boxes, Bytes]]:
     """Yield boxes and what is judged of them, then the halves of those that are not told."""
     minima, steps, shape, columns, fixed = grid.kernel
-    speeds = np.sqrt(np.sum(np.square(motion.twists.reshape(2, 3, -1)), axis=1))[:, columns]
-    kinds = (speeds[0] > 0.0).astype(np.int64)
+    kinds = (_speeds(motion, grid)[0] > 0.0).astype(np.int64)
     while boxes.first.shape[1]:
         poses, halves = centres(boxes, minima, steps, columns, fixed)
-        own = judge(poses, _reach(speeds, halves))
+        own = judge(poses, reach_of(motion, grid, halves))
         yield boxes, own
         boxes = halved(boxes, own, halves, kinds, fewest)
         if among is not None:
@@ -134,9 +133,19 @@ def _levels(
             boxes = Boxes(*(np.ascontiguousarray(part[:, kept]) for part in boxes))
 
 
-def _reach(speeds: Floats, halves: Floats) -> Reach:
-    """Return how far nodes are from centres; the twists of a motion are orthonormal."""
-    moved, turned = speeds[:, :, None] * halves
+def _speeds(motion: Motion, grid: Grid) -> Floats:
+    """Return how fast each axis of a grid moves and turns the platform, shape (2, axes)."""
+    columns = list(grid.columns)
+    speeds: Floats = np.sqrt(np.sum(np.square(motion.twists.reshape(2, 3, -1)), axis=1))[:, columns]
+    return speeds
+
+
+def reach_of(motion: Motion, grid: Grid, halves: Floats) -> Reach:
+    """Return how far nodes are from centres; the twists of a motion are orthonormal.
+
+    `halves`, shape (axes, boxes), is half the length of each box along each axis. [m or rad]
+    """
+    moved, turned = _speeds(motion, grid)[:, :, None] * halves
     positions = np.sqrt(np.sum(np.square(moved), axis=0))
     return Reach(positions * WIDENED, np.sum(turned, axis=0) * WIDENED)
 

@@ -16,6 +16,7 @@ from mechanics.legs import (
     STRUT,
     STRUT_JOINTS,
 )
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood
 
 PASSIVE_JOINTS = {
     PLANE_JOINTS: ("B", "C"),
@@ -93,6 +94,24 @@ def greatest_rates(block: Configuration, speed: Speed) -> Floats:
     rates = (speed.linear * linear + speed.angular * angular) / levers
     greatest: Floats = np.where(dead, np.inf, rates)
     return greatest
+
+
+def greatest_rates_near(near: Neighbourhood, speed: Speed) -> Margins:
+    """Return bounds on the greatest drive rates near the centres, rounding included."""
+    block = near.centre
+    translations = len(block.mechanism.motion.translations)
+    squares = block.platform_jacobians**2
+    linear = np.sqrt(np.sum(squares[:, :translations], axis=1))
+    angular = np.sqrt(np.sum(squares[:, translations:], axis=1))
+    own = speed.linear * linear + speed.angular * angular
+    moved, turned = near.row_changes
+    slow, fast = near.rates
+    slow = np.where(slow > 0.0, slow, np.nan)
+    # Changes without a bound, of a part of no size, are no number: not known.
+    with np.errstate(invalid="ignore"):
+        change = speed.linear * moved + speed.angular * turned
+        least = np.maximum(own - change, 0.0) / fast * (1.0 - SLACK)
+        return Margins(least, (own + change) / slow * (1.0 + SLACK))
 
 
 def platform_twists(block: Configuration, rates: Floats) -> Floats:

@@ -10,26 +10,31 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
+from mechanics.judging import Judgement
 from mechanics.kernels import runs as kernels
-from mechanics.kernels.line_ends import NOTHING, REACH
-from mechanics.kernels.lines import Tests, walk
-from mechanics.legs import CRANK, STRUT
+from mechanics.kernels.octree import UNSEEN
+from mechanics.lines import greatest_length, provable, walk_lines
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import bounded
+from mechanics.octree import decide, reach_of
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
 
-LINES = 1 << 18
-"""Lines walked in one call: enough to hide its cost, few enough for their runs to be copied."""
-
-FINEST = 1e-5
-"""Lines with a step below this share of the greatest length are left to single nodes."""
-
-NEAR = 1e-7
-"""Nodes nearer to a root than this share of the greatest length decide for themselves."""
-
 INSIDE = 0
 """The code of a node at which every condition holds."""
+
+WORTH_BOXES, SPARSE = 100_000, 64
+"""Boxes are judged of at least so many nodes, and not if only one in so many is left to them."""
+
+SAMPLED, TRIED = 1024, 4
+"""Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
+
+MOST_ASKED = 0.75
+"""If boxes leave a greater share of the nodes, all are asked at once."""
+
+FEWEST = 48
+"""Boxes of no more nodes cost less asked than judged."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +87,7 @@ def scan(
     stop: int,
     *,
     by_lines: bool = True,
+    by_boxes: bool = True,
     among: Booleans | None = None,
 ) -> Scan:
     """Return which flat nodes `start` to `stop` of the grid belong to the workspace.
@@ -89,33 +95,84 @@ def scan(
     A node belongs when every condition holds; its code is 0 then, else that of the first
     condition, and of that condition's first part, that fails (see `reason_codes`). The leading
     conditions that have closed forms along a line are decided line by line, unless `by_lines` is
-    false: then node by node like the others, with the same result. With `among`, shape
-    (stop - start,), only these nodes are held against the other conditions, and have fields.
+    false. Of the nodes that are left, whole boxes are told by what bounds prove of them, unless
+    `by_boxes` is false or fields are asked for, and all others by themselves. The result is that
+    of nodes asked one by one. With `among`, shape (stop - start,), only these nodes are held
+    against the other conditions, and have fields.
 
     References
     ----------
     Erastova, Laryushkin, 2017, doi:10.18698/0536-1044-2017-8-78-87, fig. 6 (the iterative way).
     """
     walked = provable(mechanism, conditions, grid) if by_lines else 0
-    codes, lengths = _walk(mechanism, conditions[:walked], grid, start, stop)
+    codes, lengths = walk_lines(mechanism, conditions[:walked], grid, start, stop)
     rest, first = conditions[walked:], 1 + sum(len(c.legs) for c in conditions[:walked])
     if not rest and not fields:
         return Scan(codes, lengths, {})
+    left = _Left(mechanism, rest, first, grid)
+    if by_boxes and not fields and left.told_by_boxes(codes, lengths, start):
+        return Scan(*left.by_boxes(codes, lengths, start, among), {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
     asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
-    kept: dict[str, list[Floats]] = {name: [] for name in fields}
-    # Fields of no node at all still have a shape.
-    for at in range(0, max(1, asked.size), BLOCK):
-        chosen = asked[at : at + BLOCK]
-        block = Configuration(mechanism, grid.poses_at(nodes[chosen]))
-        own = np.zeros(chosen.size, np.uint8)
-        block = _sift(block, rest, first, own)
-        verdicts[chosen] = own
-        for name, field in fields.items():
-            kept[name].append(field(block).T)
+    verdicts[asked], kept = left.by_nodes(nodes[asked], fields)
     codes, lengths = kernels.refine(codes, lengths, verdicts, grid.shape[-1], start)
-    return Scan(codes, lengths, {name: np.concatenate(parts) for name, parts in kept.items()})
+    return Scan(codes, lengths, kept)
+
+
+@dataclass(frozen=True)
+class _Left:
+    """The conditions that whole lines do not tell, and the code of the first part of them."""
+
+    mechanism: Mechanism
+    conditions: Sequence[Condition]
+    first: int
+    grid: Grid
+
+    def by_nodes(
+        self, nodes: Integers, fields: Mapping[str, Field]
+    ) -> tuple[Bytes, dict[str, Floats]]:
+        """Return the codes of flat nodes and the fields of those inside, block by block."""
+        codes = np.zeros(nodes.size, np.uint8)
+        kept: dict[str, list[Floats]] = {name: [] for name in fields}
+        # Fields of no node at all still have a shape.
+        for at in range(0, max(1, nodes.size), BLOCK):
+            part = slice(at, at + BLOCK)
+            block = Configuration(self.mechanism, self.grid.poses_at(nodes[part]))
+            block = _sift(block, self.conditions, self.first, codes[part])
+            for name, field in fields.items():
+                kept[name].append(field(block).T)
+        return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
+
+    def told_by_boxes(self, codes: Bytes, lengths: Integers, start: int) -> bool:
+        """Return whether boxes can be told at all, and are enough to be worth the trouble."""
+        left, total = int(lengths[codes == INSIDE].sum()), int(lengths.sum())
+        if not bounded(self.mechanism) or left < WORTH_BOXES or left * SPARSE < total:
+            return False
+        spread = np.linspace(0, left - 1, SAMPLED).astype(np.int64)
+        nodes = kernels.nodes_with(INSIDE, codes, lengths, start)[spread]
+        poses = self.grid.poses_at(nodes)
+        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses) <= MOST_ASKED
+
+    def by_boxes(
+        self, codes: Bytes, lengths: Integers, start: int, among: Booleans | None
+    ) -> tuple[Bytes, Integers]:
+        """Return the runs with the nodes of code 0 given their own, boxes told by bounds first."""
+        dense = np.repeat(codes, lengths)
+        asked = dense == INSIDE if among is None else (dense == INSIDE) & among
+        size = greatest_length(self.mechanism, self.grid)
+        own = decide(
+            self.mechanism.motion,
+            self.grid,
+            start,
+            start + dense.size,
+            Judgement(self.mechanism, self.conditions, self.first, INSIDE, size),
+            lambda nodes: self.by_nodes(nodes, {})[0],
+            among=asked,
+            fewest=FEWEST,
+        )
+        np.copyto(dense, own, where=asked)
+        return line_runs(dense, start, self.grid.shape[-1])
 
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
@@ -127,65 +184,34 @@ def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     return codes[begins], np.diff(begins, append=codes.size)
 
 
-def provable(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> int:
-    """Return how many of the leading conditions are decided along whole lines of the grid."""
-    motion, line = mechanism.motion, grid.axes[-1]
-    if line.coordinate not in motion.translations or line.step < FINEST * _size(mechanism, grid):
-        return 0
-    tested = [condition.line_tests is not None for condition in conditions]
-    return tested.index(False) if False in tested else len(tested)
+def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
+    """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
+
+    1 if no boxes will be judged; they are no larger than those tried here for long.
+    """
+    walked = provable(mechanism, conditions, grid)
+    rest = conditions[walked:]
+    if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
+        return 1.0
+    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
+    block = Configuration(mechanism, grid.poses_at(nodes))
+    left = np.ones(nodes.size, bool)
+    for condition in conditions[:walked]:
+        left &= np.all(condition.check(block) >= 0.0, axis=0)
+    share = _left_by_boxes(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
+    return share if share <= MOST_ASKED else 1.0
 
 
-def _size(mechanism: Mechanism, grid: Grid) -> float:
-    """Return the size of the greatest length that the leg equations meet. [m]"""
-    legs = mechanism.legs
-    ends = np.array([(axis.minimum, axis.maximum) for axis in grid.axes])
-    sliding = legs.drive != CRANK
-    lengths: list[Floats] = [
-        *(legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length),
-        *(legs.lower_limit[sliding], legs.upper_limit[sliding], grid.fixed, ends),
-    ]
-    met = np.concatenate([values.ravel() for values in lengths])
-    return float(np.max(np.abs(met[np.isfinite(met)]), initial=0.0))
-
-
-def _walk(
-    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, start: int, stop: int
-) -> tuple[Bytes, Integers]:
-    """Return the runs of whole lines under conditions that are decided along them."""
-    tests = _tests(conditions, mechanism.legs.drive)
-    line = grid.shape[-1]
-    stretch, near = LINES * line, NEAR * _size(mechanism, grid)
-    parts = [
-        walk(
-            tests,
-            mechanism.legs,
-            mechanism.motion.kernel,
-            grid.kernel,
-            near,
-            first,
-            min(first - first % line + stretch, stop),
-        )
-        for first in (start, *range(start - start % line + stretch, stop, stretch))
-    ]
-    if len(parts) == 1:
-        return parts[0]
-    codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return codes, lengths
-
-
-def _tests(conditions: Sequence[Condition], drives: Integers) -> Tests:
-    """Return what lines are held against; first a leg must reach at all."""
-    tests: list[tuple[int, int, int]] = []
-    # The length of a strut is known even where it has no direction.
-    reached = {leg for leg, drive in enumerate(drives) if drive == STRUT}
-    parts = [part for c in conditions for part in zip(c.line_tests or (), c.legs, strict=True)]
-    for code, (test, leg) in enumerate(parts, start=1):
-        asked = {test} if leg in reached else {REACH, test}
-        tests += [(each, leg, code) for each in sorted(asked - {NOTHING})]
-        reached.add(leg)
-    rows = np.array(tests, dtype=np.int64).reshape(-1, 3).T.copy()
-    return Tests(*rows)
+def _left_by_boxes(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, poses: Floats
+) -> float:
+    """Return of which share of poses a box about them, as small as boxes get, is not told."""
+    if not poses.size:
+        return 1.0
+    halves = np.array([0.5 * (TRIED - 1) * axis.step for axis in grid.axes])
+    near = reach_of(mechanism.motion, grid, np.repeat(halves[:, None], poses.shape[1], axis=1))
+    judge = Judgement(mechanism, conditions, 1, INSIDE, greatest_length(mechanism, grid))
+    return float(np.mean(judge(poses, near) == UNSEEN))
 
 
 def _sift(

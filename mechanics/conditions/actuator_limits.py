@@ -11,6 +11,7 @@ from mechanics.kernels.line_ends import LIMITS, NOTHING
 from mechanics.kernels.waves import TURN
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood, within
 
 
 class ActuatorLimits(Condition):
@@ -38,6 +39,10 @@ class ActuatorLimits(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its limits each drive is. [rad or m]"""
         return self.margins(block.actuators)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far inside its limits each drive may be. [rad or m]"""
+        return within(self.check(near.centre), near.strokes * (1.0 + SLACK) + SLACK)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the drive, a crank in the turn nearest to its limits, and the limit."""

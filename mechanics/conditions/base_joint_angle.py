@@ -8,6 +8,7 @@ from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
 from mechanics.legs import CRANK
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood, within
 
 
 class BaseJointAngle(Condition):
@@ -39,6 +40,11 @@ class BaseJointAngle(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far below the limit the angle at each joint is. [rad]"""
         return self._limit - self._angles(block)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far below the limit the angle at each joint may be. [rad]"""
+        turned = near.swings + np.where(self._turning[:, 0], near.strokes, 0.0)
+        return within(self.check(near.centre), turned * (1.0 + SLACK) + SLACK)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the angles at the joints, and the limit. [rad]"""

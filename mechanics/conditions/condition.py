@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 NO_LEG = -1
 """The leg of a part that all legs make together."""
@@ -47,6 +48,14 @@ class Condition(ABC):
     @abstractmethod
     def check(self, block: Configuration) -> Floats:
         """Return by how much each part holds, shape (parts, poses); < 0 or NaN: it does not."""
+
+    @abstractmethod
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return bounds on by how much parts hold anywhere near the centres, rounding included.
+
+        A part holds at every pose near a centre if the least is not below 0, and at none if the
+        greatest is; otherwise single poses are asked. So only signs count, not what is measured.
+        """
 
     @abstractmethod
     def explain(self, block: Configuration) -> Breach:

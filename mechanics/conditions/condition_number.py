@@ -4,6 +4,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import at_most
 from mechanics.conditions.condition import NO_LEG, Breach, Condition
 from mechanics.configuration import Configuration
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 class ConditionNumber(Condition):
@@ -22,6 +23,11 @@ class ConditionNumber(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far below the limit the condition number is."""
         return self._limit - block.condition_numbers[None]
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far below the limit the condition number may be."""
+        least, greatest = near.condition_numbers
+        return Margins(self._limit - greatest[None], self._limit - least[None])
 
     def explain(self, block: Configuration) -> Breach:
         """Return the condition number, and the limit."""

@@ -9,6 +9,7 @@ from mechanics.configuration import Configuration
 from mechanics.kernels import bands
 from mechanics.legs import ARC_JOINTS, CRANK
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 def legs_with_elbows(mechanism: Mechanism) -> list[int]:
@@ -32,6 +33,16 @@ class CrankRodAngle(Condition):
         """Return how far inside its bounds each elbow's angle is. [rad]"""
         return margin_between(self._angles(block), self._lower, self._upper)
 
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far inside its bounds each elbow's angle may be. [rad]"""
+        chosen = list(self.legs)
+        least, greatest = (self._bent(near.centre.mechanism, squares) for squares in near.squares)
+        reached = np.where(np.isfinite(near.swings[chosen]), 0.0, np.nan)
+        return Margins(
+            np.minimum(least - self._lower, self._upper - greatest) + reached,
+            np.minimum(greatest - self._lower, self._upper - least),
+        )
+
     def explain(self, block: Configuration) -> Breach:
         """Return the elbows' angles and the bounds nearest to them. [rad]"""
         return nearest_bound(self._angles(block), self._lower, self._upper)
@@ -48,13 +59,16 @@ class CrankRodAngle(Condition):
         return TurnTest(bands.SPAN, least, greatest)
 
     def _angles(self, block: Configuration) -> Floats:
+        spans = block.attachment[1]
+        angles = self._bent(block.mechanism, np.einsum("kji,kji->ki", spans, spans))
+        return np.where(block.reach[list(self.legs)] >= 0.0, angles, np.nan)
+
+    def _bent(self, mechanism: Mechanism, squares: Floats) -> Floats:
+        """Return the elbows' angles at which |d|^2, shape (legs, poses), is so much. [rad]"""
         # By the law of cosines in the triangle A, B, c: the same in both working modes.
         chosen = list(self.legs)
-        legs = block.mechanism.legs
+        legs = mechanism.legs
         crank, rod = legs.crank_length[chosen, None], legs.rod_length[chosen, None]
-        spans = block.attachment[1][chosen]
-        squares = np.einsum("kji,kji->ki", spans, spans)
-        cosines = (crank**2 + rod**2 - squares) / (2.0 * crank * rod)
-        reached = np.where(block.reach[chosen] >= 0.0, cosines, np.nan)
-        angles: Floats = np.arccos(np.clip(reached, -1.0, 1.0))
+        cosines = (crank**2 + rod**2 - squares[chosen]) / (2.0 * crank * rod)
+        angles: Floats = np.arccos(np.clip(cosines, -1.0, 1.0))
         return angles

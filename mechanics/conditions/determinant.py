@@ -6,6 +6,7 @@ from mechanics.arrays import Floats
 from mechanics.conditions.bounds import nearest_bound
 from mechanics.conditions.condition import NO_LEG, Breach, Condition
 from mechanics.configuration import Configuration
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 class Determinant(Condition):
@@ -24,6 +25,12 @@ class Determinant(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return by how much |det Jx| is above the limit. [m to the number of turns]"""
         return self._sizes(block) - self._limit
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return by how much |det Jx| may be above the limit. [m to the number of turns]"""
+        share = near.kept * (1.0 - near.blurs)
+        sizes = self._sizes(near.centre)
+        return Margins(sizes * share - self._limit, sizes / share - self._limit)
 
     def explain(self, block: Configuration) -> Breach:
         """Return |det Jx|, and the limit. [m to the number of turns]"""

@@ -5,9 +5,10 @@ import numpy as np
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
-from mechanics.effort import worst_efforts
+from mechanics.effort import worst_efforts, worst_efforts_near
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 class Effort(Condition):
@@ -24,6 +25,11 @@ class Effort(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far below its limit each drive's greatest effort is. [N m or N]"""
         return self._limits - worst_efforts(block, self._load)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far below its limit each drive's greatest effort may be. [N m or N]"""
+        least, greatest = worst_efforts_near(near, self._load)
+        return Margins(self._limits - greatest, self._limits - least)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the drives' greatest efforts and their limits. [N m or N]"""

@@ -7,6 +7,7 @@ from mechanics.conditions.bounds import margin_between, nearest_bound
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import Margins, Neighbourhood
 
 
 class MotorLimits(Condition):
@@ -27,6 +28,11 @@ class MotorLimits(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its limits each motor is. [rad]"""
         return self.margins(block.actuators)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return nothing of motors: what has a wrist has no bounds."""
+        unknown = np.full((len(self.legs), near.centre.count), np.nan)
+        return Margins(unknown, unknown)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the motors' coordinates, and the limits nearest to them. [rad]"""

@@ -7,6 +7,7 @@ from mechanics.conditions.bounds import angles_between, at_most
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood, within
 
 
 class PlatformJointAngle(Condition):
@@ -30,6 +31,11 @@ class PlatformJointAngle(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far below the limit the angle at each joint is. [rad]"""
         return self._limit - self._angles(block)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far below the limit the angle at each joint may be. [rad]"""
+        turned = near.swings + near.turns
+        return within(self.check(near.centre), turned * (1.0 + SLACK) + SLACK)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the angles at the joints, and the limit. [rad]"""

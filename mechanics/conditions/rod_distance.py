@@ -12,6 +12,7 @@ from mechanics.configuration import Configuration
 from mechanics.kernels.segments import distances
 from mechanics.legs import ARC_JOINTS, STRUT
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood, within
 from mechanics.skeletons import joints
 
 
@@ -47,6 +48,12 @@ class RodDistance(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return by how much each pair of rods is farther apart than it must be. [m]"""
         return self._distances(block) - self._limit
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return by how much each pair of rods may be farther apart than it must be. [m]"""
+        moved = np.maximum(near.shifts, near.elbow_shifts)
+        change = moved[self._first] + moved[self._second]
+        return within(self.check(near.centre), change * (1.0 + SLACK))
 
     def explain(self, block: Configuration) -> Breach:
         """Return the distances, and the limit. [m]"""

@@ -9,6 +9,7 @@ from mechanics.conditions.bounds import angles_between, margin_between, nearest_
 from mechanics.conditions.condition import Breach, Condition
 from mechanics.configuration import Configuration
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import SLACK, Margins, Neighbourhood, within
 
 
 def rods_at_shared_joints(mechanism: Mechanism) -> list[tuple[int, int]]:
@@ -38,6 +39,11 @@ class RodRodAngle(Condition):
     def check(self, block: Configuration) -> Floats:
         """Return how far inside its bounds the angle at each shared joint is. [rad]"""
         return margin_between(self._angles(block), self._lower, self._upper)
+
+    def margins_near(self, near: Neighbourhood) -> Margins:
+        """Return how far inside its bounds the angle at each shared joint may be. [rad]"""
+        turned = near.swings[self._first] + near.swings[self._second]
+        return within(self.check(near.centre), turned * (1.0 + SLACK) + SLACK)
 
     def explain(self, block: Configuration) -> Breach:
         """Return the angles at the shared joints and the bounds nearest to them. [rad]"""

@@ -140,7 +140,11 @@ def holding(boxes: Boxes, shape: Integers, start: int, among: Booleans) -> Boole
         length = boxes.last[-1, i] - boxes.first[-1, i] + 1
         for line in range(_nodes(boxes, i) // length):
             flat = _line(boxes, i, line, shape) - start
-            kept[i] = among[flat : flat + length].any()
+            # All of a line at once: leaving at the first would stop the compiler vectorising.
+            found = 0
+            for node in range(flat, flat + length):
+                found |= among[node]
+            kept[i] = found != 0
             if kept[i]:
                 break
     return kept

@@ -15,9 +15,10 @@ from mechanics.configuration import Configuration
 from mechanics.fields import actuators
 from mechanics.grid import Axis, Grid
 from mechanics.legs import CRANK, RAIL, STRUT, Leg, gather
+from mechanics.lines import provable
 from mechanics.mechanism import Mechanism
 from mechanics.motions import SPATIAL, TRANSLATION, Motion
-from mechanics.workspace import Scan, provable, scan
+from mechanics.workspace import Scan, scan
 from schemas.mechanisms import parse_spec
 from tests.oracles.draws import DRAWS, Draw, Fields, Random
 

@@ -17,9 +17,10 @@ from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, STOP, L
 from mechanics.kernels.line_stops import stop_ends
 from mechanics.kernels.line_torus import torus_ends
 from mechanics.legs import CRANK, STRUT, Leg, gather
+from mechanics.lines import provable
 from mechanics.mechanism import Mechanism
 from mechanics.motions import PLANAR_TRANSLATION, TRANSLATION, Motion
-from mechanics.workspace import Scan, provable, scan
+from mechanics.workspace import Scan, scan
 from tests.oracles.draws import Random
 
 QUARTER = 0.5 * math.pi
