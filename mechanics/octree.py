@@ -39,6 +39,35 @@ class Reach(NamedTuple):
     turns: Floats
 
 
+class Window(NamedTuple):
+    """A box of a grid's nodes: the indices of its first, and how many it has along each axis."""
+
+    first: Integers
+    shape: tuple[int, ...]
+
+    def of(self, grid: Grid, nodes: Integers) -> Integers:
+        """Return which flat nodes of the grid the window's flat nodes are."""
+        indices = np.array(np.unravel_index(nodes, self.shape)) + self.first[:, None]
+        flat: Integers = np.ravel_multi_index(tuple(indices), grid.shape)
+        return flat
+
+
+def window_about(grid: Grid, nodes: Integers) -> tuple[Window, Integers]:
+    """Return the smallest window that has these flat nodes, at least one, and which they are there.
+
+    Shape (nodes,), counted in the window.
+    """
+    indices = np.unravel_index(nodes, grid.shape)
+    first = [int(along.min()) for along in indices]
+    shape = tuple(int(along.max()) - low + 1 for along, low in zip(indices, first, strict=True))
+    flat = np.zeros(nodes.size, np.int64)
+    for along, low, count in zip(indices, first, shape, strict=True):
+        flat *= count
+        flat += along
+        flat -= low
+    return Window(np.array(first), shape), flat
+
+
 Judge = Callable[[Floats, Reach], Bytes]
 """Says of centres, shape (coordinates, boxes), and their reach which code all nodes of each box
 have, shape (boxes,): `UNSEEN` where no bound tells."""
@@ -54,6 +83,7 @@ def decide(
     judge: Judge,
     ask: Ask,
     *,
+    window: Window | None = None,
     among: Booleans | None = None,
     fewest: int = 4,
 ) -> Bytes:
@@ -65,15 +95,17 @@ def decide(
     Parameters
     ----------
     motion : whose coordinates the grid's axes drive.
+    window : if given, all that is said of flat nodes here is said of this part of the grid.
     judge : must tell nothing but what `ask` would say of every node of a box.
     among : shape (stop - start,): if given, the codes of other nodes mean nothing.
     fewest : boxes of no more nodes are not judged.
     """
     codes = np.full(stop - start, UNSEEN, np.uint8)
     if grid.axes:
-        boxes = boxes_of(grid.shape, start, stop)
-        for some, own in _levels(motion, grid, boxes, judge, fewest, start, among):
-            fill(some, own, grid.kernel[2], start, codes)
+        window = window or _whole(grid)
+        boxes, shape = boxes_of(window.shape, start, stop), np.array(window.shape)
+        for some, own in _levels(motion, grid, window, boxes, judge, fewest, start, among):
+            fill(some, own, shape, start, codes)
     open_ = codes == UNSEEN
     if among is not None:
         open_ &= among
@@ -92,7 +124,7 @@ def foresee(motion: Motion, grid: Grid, judge: Judge, fewest: int) -> Work:
     if not grid.axes:
         return Work(0.0, float(grid.size))
     judged, mean, shares, boxes = 0.0, 1.0, [1.0], boxes_of(grid.shape, 0, grid.size)
-    for some, own in _levels(motion, grid, boxes, judge, fewest):
+    for some, own in _levels(motion, grid, _whole(grid), boxes, judge, fewest):
         sizes = np.prod(some.last - some.first + 1, axis=0)[own == UNSEEN]
         judged += own.size
         shares.append(float(sizes.sum()) / grid.size)
@@ -114,23 +146,30 @@ def foresee(motion: Motion, grid: Grid, judge: Judge, fewest: int) -> Work:
 def _levels(
     motion: Motion,
     grid: Grid,
+    window: Window,
     boxes: Boxes,
     judge: Judge,
     fewest: int,
     start: int = 0,
     among: Booleans | None = None,
 ) -> Iterator[tuple[Boxes, Bytes]]:
-    """Yield boxes and what is judged of them, then the halves of those that are not told."""
-    minima, steps, shape, columns, fixed = grid.kernel
+    """Yield a window's boxes and what is judged of them, then the halves of those not told."""
+    minima, steps, _, columns, fixed = grid.kernel
+    origin, shape = window.first[:, None], np.array(window.shape)
     kinds = (_speeds(motion, grid)[0] > 0.0).astype(np.int64)
     while boxes.first.shape[1]:
-        poses, halves = centres(boxes, minima, steps, columns, fixed)
+        placed = Boxes(boxes.first + origin, boxes.last + origin)
+        poses, halves = centres(placed, minima, steps, columns, fixed)
         own = judge(poses, reach_of(motion, grid, halves))
         yield boxes, own
         boxes = halved(boxes, own, halves, kinds, fewest)
         if among is not None:
             kept = holding(boxes, shape, start, among)
             boxes = Boxes(*(np.ascontiguousarray(part[:, kept]) for part in boxes))
+
+
+def _whole(grid: Grid) -> Window:
+    return Window(np.zeros(len(grid.axes), np.int64), grid.shape)
 
 
 def _speeds(motion: Motion, grid: Grid) -> Floats:

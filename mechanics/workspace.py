@@ -1,5 +1,6 @@
 """Workspaces: scans of a grid against conditions, node by node, kept as runs along its lines."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -16,7 +17,7 @@ from mechanics.kernels.octree import UNSEEN
 from mechanics.lines import greatest_length, provable, walk_lines
 from mechanics.mechanism import Mechanism
 from mechanics.neighbourhoods import bounded
-from mechanics.octree import decide, reach_of
+from mechanics.octree import decide, reach_of, window_about
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
@@ -25,7 +26,7 @@ INSIDE = 0
 """The code of a node at which every condition holds."""
 
 WORTH_BOXES, SPARSE = 100_000, 64
-"""Boxes are judged of at least so many nodes, and not if only one in so many is left to them."""
+"""Boxes are judged of so many nodes or more, not in a window of so many times more."""
 
 SAMPLED, TRIED = 1024, 4
 """Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
@@ -110,12 +111,14 @@ def scan(
     if not rest and not fields:
         return Scan(codes, lengths, {})
     left = _Left(mechanism, rest, first, grid)
-    if by_boxes and not fields and left.told_by_boxes(codes, lengths, start):
-        return Scan(*left.by_boxes(codes, lengths, start, among), {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
     asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
-    verdicts[asked], kept = left.by_nodes(nodes[asked], fields)
+    told = left.by_boxes(nodes[asked]) if by_boxes and not fields else None
+    kept: dict[str, Floats] = {}
+    if told is None:
+        told, kept = left.by_nodes(nodes[asked], fields)
+    verdicts[asked] = told
     codes, lengths = kernels.refine(codes, lengths, verdicts, grid.shape[-1], start)
     return Scan(codes, lengths, kept)
 
@@ -144,35 +147,38 @@ class _Left:
                 kept[name].append(field(block).T)
         return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
 
-    def told_by_boxes(self, codes: Bytes, lengths: Integers, start: int) -> bool:
-        """Return whether boxes can be told at all, and are enough to be worth the trouble."""
-        left, total = int(lengths[codes == INSIDE].sum()), int(lengths.sum())
-        if not bounded(self.mechanism) or left < WORTH_BOXES or left * SPARSE < total:
-            return False
-        spread = np.linspace(0, left - 1, SAMPLED).astype(np.int64)
-        nodes = kernels.nodes_with(INSIDE, codes, lengths, start)[spread]
-        poses = self.grid.poses_at(nodes)
-        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses) <= MOST_ASKED
+    def by_boxes(self, nodes: Integers) -> Bytes | None:
+        """Return the codes of flat nodes, boxes of them told by bounds first; None: not worth it.
 
-    def by_boxes(
-        self, codes: Bytes, lengths: Integers, start: int, among: Booleans | None
-    ) -> tuple[Bytes, Integers]:
-        """Return the runs with the nodes of code 0 given their own, boxes told by bounds first."""
-        dense = np.repeat(codes, lengths)
-        asked = dense == INSIDE if among is None else (dense == INSIDE) & among
-        size = greatest_length(self.mechanism, self.grid)
-        own = decide(
+        Boxes need to be told at all, and of enough nodes for the trouble.
+        """
+        if not bounded(self.mechanism) or nodes.size < WORTH_BOXES:
+            return None
+        window, places = window_about(self.grid, nodes)
+        size = math.prod(window.shape)
+        if size > SPARSE * nodes.size or self._share_left(nodes) > MOST_ASKED:
+            return None
+        asked = np.zeros(size, np.bool_)
+        asked[places] = True
+        longest = greatest_length(self.mechanism, self.grid)
+        codes = decide(
             self.mechanism.motion,
             self.grid,
-            start,
-            start + dense.size,
-            Judgement(self.mechanism, self.conditions, self.first, INSIDE, size),
-            lambda nodes: self.by_nodes(nodes, {})[0],
+            0,
+            size,
+            Judgement(self.mechanism, self.conditions, self.first, INSIDE, longest),
+            lambda some: self.by_nodes(window.of(self.grid, some), {})[0],
+            window=window,
             among=asked,
             fewest=FEWEST,
         )
-        np.copyto(dense, own, where=asked)
-        return line_runs(dense, start, self.grid.shape[-1])
+        return codes[places]
+
+    def _share_left(self, nodes: Integers) -> float:
+        """Return which share of flat nodes boxes leave, from a few."""
+        spread = np.linspace(0, nodes.size - 1, SAMPLED).astype(np.int64)
+        poses = self.grid.poses_at(nodes[spread])
+        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses)
 
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
