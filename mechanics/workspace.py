@@ -10,31 +10,15 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
-from mechanics.judging import Judgement
+from mechanics.judging import FEWEST, Judgement, worth_judging
 from mechanics.kernels import runs as kernels
-from mechanics.kernels.octree import UNSEEN
-from mechanics.lines import greatest_length, provable, walk_lines
+from mechanics.kernels.codes import INSIDE
+from mechanics.lines import provable, walk_lines
 from mechanics.mechanism import Mechanism
-from mechanics.neighbourhoods import bounded
-from mechanics.octree import decide, reach_of
+from mechanics.octree import decide
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
-
-INSIDE = 0
-"""The code of a node at which every condition holds."""
-
-WORTH_BOXES, SPARSE = 100_000, 64
-"""Boxes are judged of at least so many nodes, and not if only one in so many is left to them."""
-
-SAMPLED, TRIED = 1024, 4
-"""Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
-
-MOST_ASKED = 0.75
-"""If boxes leave a greater share of the nodes, all are asked at once."""
-
-FEWEST = 48
-"""Boxes of no more nodes cost less asked than judged."""
 
 
 @dataclass(frozen=True)
@@ -110,9 +94,9 @@ def scan(
     if not rest and not fields:
         return Scan(codes, lengths, {})
     left = _Left(mechanism, rest, first, grid)
-    if by_boxes and not fields and left.told_by_boxes(codes, lengths, start):
-        return Scan(*left.by_boxes(codes, lengths, start, among), {})
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
+    if by_boxes and not fields and worth_judging(mechanism, rest, grid, nodes, stop - start):
+        return Scan(*left.by_boxes(codes, lengths, start, among), {})
     verdicts = np.zeros(nodes.size, np.uint8)
     asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
     verdicts[asked], kept = left.by_nodes(nodes[asked], fields)
@@ -144,29 +128,18 @@ class _Left:
                 kept[name].append(field(block).T)
         return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
 
-    def told_by_boxes(self, codes: Bytes, lengths: Integers, start: int) -> bool:
-        """Return whether boxes can be told at all, and are enough to be worth the trouble."""
-        left, total = int(lengths[codes == INSIDE].sum()), int(lengths.sum())
-        if not bounded(self.mechanism) or left < WORTH_BOXES or left * SPARSE < total:
-            return False
-        spread = np.linspace(0, left - 1, SAMPLED).astype(np.int64)
-        nodes = kernels.nodes_with(INSIDE, codes, lengths, start)[spread]
-        poses = self.grid.poses_at(nodes)
-        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses) <= MOST_ASKED
-
     def by_boxes(
         self, codes: Bytes, lengths: Integers, start: int, among: Booleans | None
     ) -> tuple[Bytes, Integers]:
         """Return the runs with the nodes of code 0 given their own, boxes told by bounds first."""
         dense = np.repeat(codes, lengths)
         asked = dense == INSIDE if among is None else (dense == INSIDE) & among
-        size = greatest_length(self.mechanism, self.grid)
         own = decide(
             self.mechanism.motion,
             self.grid,
             start,
             start + dense.size,
-            Judgement(self.mechanism, self.conditions, self.first, INSIDE, size),
+            Judgement(self.mechanism, self.conditions, self.first, self.grid),
             lambda nodes: self.by_nodes(nodes, {})[0],
             among=asked,
             fewest=FEWEST,
@@ -182,36 +155,6 @@ def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     changed[-start % line :: line] = True
     begins = np.flatnonzero(changed)
     return codes[begins], np.diff(begins, append=codes.size)
-
-
-def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
-    """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
-
-    1 if no boxes will be judged; they are no larger than those tried here for long.
-    """
-    walked = provable(mechanism, conditions, grid)
-    rest = conditions[walked:]
-    if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
-        return 1.0
-    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
-    block = Configuration(mechanism, grid.poses_at(nodes))
-    left = np.ones(nodes.size, bool)
-    for condition in conditions[:walked]:
-        left &= np.all(condition.check(block) >= 0.0, axis=0)
-    share = _left_by_boxes(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
-    return share if share <= MOST_ASKED else 1.0
-
-
-def _left_by_boxes(
-    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, poses: Floats
-) -> float:
-    """Return of which share of poses a box about them, as small as boxes get, is not told."""
-    if not poses.size:
-        return 1.0
-    halves = np.array([0.5 * (TRIED - 1) * axis.step for axis in grid.axes])
-    near = reach_of(mechanism.motion, grid, np.repeat(halves[:, None], poses.shape[1], axis=1))
-    judge = Judgement(mechanism, conditions, 1, INSIDE, greatest_length(mechanism, grid))
-    return float(np.mean(judge(poses, near) == UNSEEN))
 
 
 def _sift(

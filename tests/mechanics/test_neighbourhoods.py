@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analyses.mechanisms import build
-from mechanics import workspace
+from mechanics import judging, workspace
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.actuator_speed import ActuatorSpeed
@@ -165,8 +165,9 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
 @pytest.fixture
 def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge boxes however few nodes they have, and there are."""
-    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "FEWEST": 4, "MOST_ASKED": 2.0}.items():
-        monkeypatch.setattr(workspace, name, value)
+    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
+        monkeypatch.setattr(judging, name, value)
+    monkeypatch.setattr(workspace, "FEWEST", 4)
 
 
 def same(one: Scan, other: Scan) -> bool:
