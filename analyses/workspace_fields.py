@@ -9,7 +9,7 @@ from analyses.analysis import Arrays, Stretches
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.arrays import Floats
 from mechanics.histograms import histogram as counted
-from mechanics.workspace import INSIDE
+from mechanics.kernels.codes import INSIDE
 from schemas.workspace import FieldSummary, Histogram
 
 

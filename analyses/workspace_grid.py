@@ -17,10 +17,10 @@ from analyses.workspace_home import of_component, region_of
 from analyses.workspace_setup import WorkspaceSetup, field_units, set_up
 from mechanics.arrays import Floats
 from mechanics.configuration import Configuration
+from mechanics.kernels.codes import INSIDE
 from mechanics.mechanism import Mechanism
 from mechanics.regions import Region
 from mechanics.skeletons import joints
-from mechanics.workspace import INSIDE
 from schemas.workspace import WorkspaceRequest
 
 LIMIT_OF_FIELD = {

@@ -5,11 +5,11 @@ import numpy as np
 from analyses.workspace_orientations import EVERY, tries
 from analyses.workspace_setup import WorkspaceSetup
 from mechanics.inscribed import offers_box
+from mechanics.judging import asked_share
 from mechanics.legs import CRANK, STRUT
 from mechanics.lines import provable
 from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
-from mechanics.workspace import asked_share
 from schemas.workspace import WorkspaceRequest
 
 SECONDS_PER_NODE = 1.5e-7

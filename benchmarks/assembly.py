@@ -8,10 +8,10 @@ Other numbers of platforms and of random poses may be given as arguments.
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable
 
 import numpy as np
 
+from benchmarks.measuring import REPEATS, seconds
 from mechanics.arrays import Floats
 from mechanics.assembly.rods import Rods, distinct, improve, random_poses
 from mechanics.assembly.spatial import SpatialModes, spatial_modes
@@ -24,13 +24,6 @@ STARTS = 128
 EIGENVALUES = 20
 """One in so many platforms is timed beside NumPy's eigenvalues."""
 POSES = 100_000
-
-
-def seconds(work: Callable[[], object]) -> float:
-    """Return how long a piece of work keeps the processor, whatever else runs on the machine."""
-    start = time.process_time()
-    work()
-    return time.process_time() - start
 
 
 class Tally:
@@ -114,7 +107,7 @@ def batch() -> None:
     guess = np.array([of.position, *of.rotation.T])[:, :, None]
     iterations, residuals = np.zeros(POSES, dtype=np.int64), np.empty(POSES)
     converged, shortest = np.empty(POSES, dtype=bool), np.inf
-    for _ in range(9):
+    for _ in range(REPEATS):
         p = np.ascontiguousarray(np.broadcast_to(guess[0], (3, POSES)))
         R = np.repeat(of.rotation.reshape(9, 1), POSES, axis=1)  # noqa: N806
         given = (base, of.platform, lengths, p, R, 0.7, 20, iterations, residuals, converged)

@@ -1,5 +1,7 @@
 """The mechanisms that figures are taken of."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from mechanics.arrays import Floats
@@ -47,3 +49,10 @@ def hexapod() -> tuple[Mechanism, Floats]:
         random.uniform(-0.5, 0.5, (POSES, 3)),
     ]
     return mechanism, poses
+
+
+def limited_hexapod(shortest: float, longest: float) -> Mechanism:
+    """Return the 6-SPS with struts between two lengths. [m]"""
+    mechanism, _ = hexapod()
+    limits = {"lower_limit": np.full(6, shortest), "upper_limit": np.full(6, longest)}
+    return replace(mechanism, legs=mechanism.legs._replace(**limits))

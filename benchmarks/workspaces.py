@@ -1,7 +1,6 @@
 """Workspaces, a node of their grids, against NumPy over the whole grid."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -9,7 +8,7 @@ from numpy.typing import NDArray
 
 from benchmarks import rivals
 from benchmarks.measuring import compare
-from benchmarks.mechanisms import hexapod, planar
+from benchmarks.mechanisms import limited_hexapod, planar
 from mechanics import fields as kept_fields
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
@@ -22,6 +21,9 @@ from mechanics.loads import Load
 from mechanics.orientations import Orientations, scan_orientations
 from mechanics.turns import Turn
 from mechanics.workspace import Scan, scan
+
+SHORTEST, LONGEST = 0.9, 1.5
+"""Between which lengths the struts of the hexapod may be. [m]"""
 
 
 def scan_of_reach() -> None:
@@ -81,9 +83,7 @@ def rails() -> None:
 
 def struts() -> None:
     """Compare whole lines of six limited struts with NumPy."""
-    free_platform, _ = hexapod()
-    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
-    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    mechanism = limited_hexapod(SHORTEST, LONGEST)
     step = 2.0 / 199
     axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
     grid = Grid(axes, (0, 1, 2), np.zeros(6))
@@ -95,7 +95,7 @@ def struts() -> None:
         lambda: scan(mechanism, conditions, grid, {}, 0, grid.size),
         grid.size,
         "NumPy, slabs of 200 x 200",
-        lambda: rivals.struts_grid(centres, 0.9, 1.5, *nodes),
+        lambda: rivals.struts_grid(centres, SHORTEST, LONGEST, *nodes),
     )
 
 
@@ -140,9 +140,7 @@ def orientations() -> None:
 
 def fields() -> None:
     """Compare a 6-SPS with two fields, a node, with batched inversion in NumPy."""
-    free_platform, _ = hexapod()
-    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
-    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    mechanism = limited_hexapod(SHORTEST, LONGEST)
     step = 2.0 / 99
     axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
     grid = Grid(axes, (0, 1, 2), np.zeros(6))
@@ -155,7 +153,9 @@ def fields() -> None:
         return scan(mechanism, conditions, grid, kept, 0, grid.size)
 
     def theirs() -> tuple[NDArray[np.bool_], Floats, Floats]:
-        return rivals.strut_fields(positions, legs.base_point, legs.platform_point, 0.9, 1.5)
+        return rivals.strut_fields(
+            positions, legs.base_point, legs.platform_point, SHORTEST, LONGEST
+        )
 
     found, (inside, efforts, _) = ours(), theirs()
     assert np.array_equal(np.repeat(found.codes == 0, found.lengths), inside)
@@ -167,9 +167,7 @@ def fields() -> None:
 
 def effective() -> None:
     """Compare a 6-SPS with bounds on effort and pressure angle, a node, with NumPy's inversion."""
-    free_platform, _ = hexapod()
-    limits = {"lower_limit": np.full(6, 0.9), "upper_limit": np.full(6, 1.5)}
-    mechanism = replace(free_platform, legs=free_platform.legs._replace(**limits))
+    mechanism = limited_hexapod(SHORTEST, LONGEST)
     most, steepest = 0.95, np.deg2rad(50.0)
     conditions = [
         Reach(mechanism),
@@ -192,7 +190,7 @@ def effective() -> None:
 
     def theirs() -> NDArray[np.bool_]:
         held, efforts, angles = rivals.strut_fields(
-            positions, legs.base_point, legs.platform_point, 0.9, 1.5
+            positions, legs.base_point, legs.platform_point, SHORTEST, LONGEST
         )
         held[held] = (efforts <= most) & (angles <= steepest)
         return held

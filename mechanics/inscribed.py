@@ -14,9 +14,9 @@ import numpy as np
 from mechanics.arrays import Booleans, Floats, Integers
 from mechanics.grid import Grid
 from mechanics.kernels import boxes, distances
+from mechanics.kernels.codes import INSIDE
 from mechanics.motions import Motion
 from mechanics.regions import Region
-from mechanics.workspace import INSIDE
 
 AXES = 3
 """Grids of more axes are not offered shapes."""

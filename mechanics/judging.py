@@ -5,16 +5,30 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechanics.arrays import Bytes, Floats
+from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
-from mechanics.kernels.octree import UNSEEN
+from mechanics.grid import Grid
+from mechanics.kernels.codes import INSIDE, UNSEEN
+from mechanics.lines import greatest_length, provable
 from mechanics.mechanism import Mechanism
-from mechanics.neighbourhoods import Neighbourhood
-from mechanics.octree import Reach
+from mechanics.neighbourhoods import Neighbourhood, bounded
+from mechanics.octree import Reach, reach_of
 
 BLOCK = 1024
 """Boxes judged together: enough to hide the cost of a call, few enough to stay in cache."""
+
+WORTH_BOXES, SPARSE = 100_000, 64
+"""Boxes are judged of so many nodes or more, not in a window of so many times more."""
+
+SAMPLED, TRIED = 1024, 4
+"""Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
+
+MOST_ASKED = 0.75
+"""If boxes leave a greater share of the nodes, all are asked at once."""
+
+FEWEST = 48
+"""Boxes of no more nodes cost less asked than judged."""
 
 
 @dataclass(frozen=True)
@@ -24,24 +38,23 @@ class Judgement:
     Parameters
     ----------
     first : the code of the first part of the first condition.
-    inside : the code where all conditions hold.
-    size : the greatest length that the leg equations meet. [m]
+    grid : that the boxes are of.
     """
 
     mechanism: Mechanism
     conditions: Sequence[Condition]
     first: int
-    inside: int
-    size: float
+    grid: Grid
 
     def __call__(self, poses: Floats, reach: Reach) -> Bytes:
         """Return the code of each centre, shape (boxes,): `UNSEEN` where no bound tells."""
         codes = np.full(poses.shape[1], UNSEEN, np.uint8)
+        size = greatest_length(self.mechanism, self.grid)
         for at in range(0, codes.size, BLOCK):
             part = slice(at, at + BLOCK)
             block = Configuration(self.mechanism, np.ascontiguousarray(poses[:, part]))
             own = Reach(reach.positions[part], reach.turns[part])
-            self._judge(Neighbourhood(block, own, self.size), codes[part])
+            self._judge(Neighbourhood(block, own, size), codes[part])
         return codes
 
     def _judge(self, near: Neighbourhood, codes: Bytes) -> None:
@@ -58,4 +71,43 @@ class Judgement:
                 codes[alive[doubtful[fails]]] = code + part[fails]
                 alive, near = alive[every], near.take(every)
             code += len(condition.legs)
-        codes[alive] = self.inside
+        codes[alive] = INSIDE
+
+
+def worth_judging(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, left: Integers
+) -> bool:
+    """Return whether boxes can be told, and tell enough of the flat nodes left."""
+    if not bounded(mechanism) or left.size < WORTH_BOXES:
+        return False
+    nodes = left[np.linspace(0, left.size - 1, SAMPLED).astype(np.int64)]
+    return _untold_share(mechanism, conditions, grid, grid.poses_at(nodes)) <= MOST_ASKED
+
+
+def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
+    """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
+
+    1 if no boxes will be judged; they are no larger than those tried here for long.
+    """
+    walked = provable(mechanism, conditions, grid)
+    rest = conditions[walked:]
+    if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
+        return 1.0
+    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
+    block = Configuration(mechanism, grid.poses_at(nodes))
+    left = np.ones(nodes.size, bool)
+    for condition in conditions[:walked]:
+        left &= np.all(condition.check(block) >= 0.0, axis=0)
+    share = _untold_share(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
+    return share if share <= MOST_ASKED else 1.0
+
+
+def _untold_share(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, poses: Floats
+) -> float:
+    """Return of which share of poses a box about them, as small as boxes get, is not told."""
+    if not poses.size:
+        return 1.0
+    halves = np.array([0.5 * (TRIED - 1) * axis.step for axis in grid.axes])
+    near = reach_of(mechanism.motion, grid, np.repeat(halves[:, None], poses.shape[1], axis=1))
+    return float(np.mean(Judgement(mechanism, conditions, 1, grid)(poses, near) == UNSEEN))

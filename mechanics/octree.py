@@ -7,7 +7,8 @@ import numpy as np
 
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.grid import Grid
-from mechanics.kernels.octree import UNSEEN, Boxes, centres, fill, halved, holding
+from mechanics.kernels.codes import UNSEEN
+from mechanics.kernels.octree import Boxes, centres, fill, halved, holding
 from mechanics.motions import Motion
 
 WIDENED = 1.0 + 2.0**-48

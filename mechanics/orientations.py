@@ -12,13 +12,13 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
 from mechanics.kernels.all_round import PAIRS, Asked, try_all_round
-from mechanics.kernels.octree import UNSEEN
+from mechanics.kernels.codes import INSIDE, UNSEEN
 from mechanics.kernels.orientations import at_every, at_some
 from mechanics.lines import provable
 from mechanics.mechanism import Mechanism
 from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
-from mechanics.workspace import INSIDE, Scan, line_runs, ranks_of, scan
+from mechanics.workspace import Scan, line_runs, ranks_of, scan
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""

@@ -6,8 +6,8 @@ from numpy.typing import NDArray
 from mechanics.arrays import Booleans, Floats
 from mechanics.errors import MechanicsError
 from mechanics.kernels import pieces, runs
+from mechanics.kernels.codes import INSIDE
 from mechanics.regions import Region
-from mechanics.workspace import INSIDE
 
 Signs = NDArray[np.int8]
 

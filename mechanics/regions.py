@@ -8,7 +8,7 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.grid import Grid
 from mechanics.kernels import runs as kernels
-from mechanics.workspace import INSIDE
+from mechanics.kernels.codes import INSIDE
 
 
 @dataclass(frozen=True)

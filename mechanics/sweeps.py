@@ -12,13 +12,13 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.grid import Grid
-from mechanics.kernels.octree import UNSEEN
+from mechanics.kernels.codes import INSIDE, UNSEEN
 from mechanics.kernels.sweeps import ARCS_PER_TEST, sweep
 from mechanics.kernels.turn_boxes import judge_boxes
 from mechanics.mechanism import Mechanism
 from mechanics.octree import Reach
 from mechanics.turns import Turn
-from mechanics.workspace import BLOCK, INSIDE
+from mechanics.workspace import BLOCK
 
 NODES_SWEPT = 16384
 """Nodes told together by closed forms alone."""

@@ -7,9 +7,9 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Grid
-from mechanics.kernels.octree import UNSEEN
+from mechanics.kernels.codes import INSIDE, UNSEEN
 from mechanics.kernels.orientations import at_some
-from mechanics.workspace import INSIDE, Scan, line_runs, ranks_of
+from mechanics.workspace import Scan, line_runs, ranks_of
 
 
 def union(scans: Sequence[Scan], conditions: Sequence[Condition], grid: Grid, start: int) -> Scan:

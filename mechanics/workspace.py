@@ -11,31 +11,15 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
-from mechanics.judging import Judgement
+from mechanics.judging import FEWEST, SPARSE, Judgement, worth_judging
 from mechanics.kernels import runs as kernels
-from mechanics.kernels.octree import UNSEEN
-from mechanics.lines import greatest_length, provable, walk_lines
+from mechanics.kernels.codes import INSIDE
+from mechanics.lines import provable, walk_lines
 from mechanics.mechanism import Mechanism
-from mechanics.neighbourhoods import bounded
-from mechanics.octree import decide, reach_of, window_about
+from mechanics.octree import decide, window_about
 
 BLOCK = 4096
 """Poses examined together: enough to hide the cost of a call, few enough to stay in cache."""
-
-INSIDE = 0
-"""The code of a node at which every condition holds."""
-
-WORTH_BOXES, SPARSE = 100_000, 64
-"""Boxes are judged of so many nodes or more, not in a window of so many times more."""
-
-SAMPLED, TRIED = 1024, 4
-"""Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
-
-MOST_ASKED = 0.75
-"""If boxes leave a greater share of the nodes, all are asked at once."""
-
-FEWEST = 48
-"""Boxes of no more nodes cost less asked than judged."""
 
 
 @dataclass(frozen=True)
@@ -148,37 +132,27 @@ class _Left:
         return codes, {name: np.concatenate(parts) for name, parts in kept.items()}
 
     def by_boxes(self, nodes: Integers) -> Bytes | None:
-        """Return the codes of flat nodes, boxes of them told by bounds first; None: not worth it.
-
-        Boxes need to be told at all, and of enough nodes for the trouble.
-        """
-        if not bounded(self.mechanism) or nodes.size < WORTH_BOXES:
+        """Return the codes of flat nodes, boxes told by bounds first; None: not worth it."""
+        if not worth_judging(self.mechanism, self.conditions, self.grid, nodes):
             return None
         window, places = window_about(self.grid, nodes)
         size = math.prod(window.shape)
-        if size > SPARSE * nodes.size or self._share_left(nodes) > MOST_ASKED:
+        if size > SPARSE * nodes.size:
             return None
         asked = np.zeros(size, np.bool_)
         asked[places] = True
-        longest = greatest_length(self.mechanism, self.grid)
         codes = decide(
             self.mechanism.motion,
             self.grid,
             0,
             size,
-            Judgement(self.mechanism, self.conditions, self.first, INSIDE, longest),
+            Judgement(self.mechanism, self.conditions, self.first, self.grid),
             lambda some: self.by_nodes(window.of(self.grid, some), {})[0],
             window=window,
             among=asked,
             fewest=FEWEST,
         )
         return codes[places]
-
-    def _share_left(self, nodes: Integers) -> float:
-        """Return which share of flat nodes boxes leave, from a few."""
-        spread = np.linspace(0, nodes.size - 1, SAMPLED).astype(np.int64)
-        poses = self.grid.poses_at(nodes[spread])
-        return _left_by_boxes(self.mechanism, self.conditions, self.grid, poses)
 
 
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
@@ -188,36 +162,6 @@ def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     changed[-start % line :: line] = True
     begins = np.flatnonzero(changed)
     return codes[begins], np.diff(begins, append=codes.size)
-
-
-def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
-    """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
-
-    1 if no boxes will be judged; they are no larger than those tried here for long.
-    """
-    walked = provable(mechanism, conditions, grid)
-    rest = conditions[walked:]
-    if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
-        return 1.0
-    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
-    block = Configuration(mechanism, grid.poses_at(nodes))
-    left = np.ones(nodes.size, bool)
-    for condition in conditions[:walked]:
-        left &= np.all(condition.check(block) >= 0.0, axis=0)
-    share = _left_by_boxes(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
-    return share if share <= MOST_ASKED else 1.0
-
-
-def _left_by_boxes(
-    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, poses: Floats
-) -> float:
-    """Return of which share of poses a box about them, as small as boxes get, is not told."""
-    if not poses.size:
-        return 1.0
-    halves = np.array([0.5 * (TRIED - 1) * axis.step for axis in grid.axes])
-    near = reach_of(mechanism.motion, grid, np.repeat(halves[:, None], poses.shape[1], axis=1))
-    judge = Judgement(mechanism, conditions, 1, INSIDE, greatest_length(mechanism, grid))
-    return float(np.mean(judge(poses, near) == UNSEEN))
 
 
 def _sift(

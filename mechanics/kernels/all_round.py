@@ -11,6 +11,7 @@ import numpy as np
 
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.bands import NOTHING, by_band, turning
+from mechanics.kernels.codes import INSIDE
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers
 from mechanics.kernels.orientations import farther, sooner
@@ -23,7 +24,6 @@ NODES = 512
 """Nodes weighed together: few enough for the first cache."""
 PAIRS = 256
 """Pairs of node and orientation whose arcs are cut together: enough to hide the cost of a call."""
-INSIDE = 0
 
 
 class Asked(NamedTuple):

@@ -60,14 +60,17 @@ setattr(CPUContext, "get_preferred_array_alignment", lambda context, dtype: 64) 
 
 
 @contextmanager
-def _alone(name: str) -> Iterator[None]:
-    """Keep other processes from what is called so until this one has done it."""
-    folder = Path(str(getattr(numba.config, "CACHE_DIR")))  # noqa: B009
-    folder.mkdir(parents=True, exist_ok=True)
+def _alone(lock: Path) -> Iterator[None]:
+    """Keep other processes from what a file stands for until this one has done it."""
+    lock.parent.mkdir(parents=True, exist_ok=True)
     # A thread that compiles may ask for another kernel: whoever waits for it must not hold that.
-    with global_compiler_lock, (folder / f"{name}.lock").open("w") as file:
+    with global_compiler_lock, lock.open("w") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        yield
+        try:
+            yield
+        finally:
+            # Closing it would not do: a process forked meanwhile has the file open too.
+            fcntl.flock(file, fcntl.LOCK_UN)
 
 
 def _shared(compiled: F) -> F:
@@ -77,10 +80,12 @@ def _shared(compiled: F) -> F:
     """
     dispatcher: Any = compiled
     name, compile_own = f"{compiled.__module__}.{compiled.__qualname__}", dispatcher.compile
+    # Beside the machine code, wherever Numba found that it may write.
+    lock = Path(dispatcher.stats.cache_path) / f"{name}.lock"
 
     @wraps(compile_own)
     def compile_alone(signature: Any) -> Any:  # noqa: ANN401
-        with _alone(name):
+        with _alone(lock):
             return compile_own(signature)
 
     dispatcher.compile = compile_alone

@@ -9,10 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
+from mechanics.kernels.codes import UNSEEN
 from mechanics.kernels.compiling import inlined, kernel
-
-UNSEEN = 255
-"""The code of a node, or of a box, of which nothing is known yet: no reason's is as high."""
 
 ROUNDING = 8.0 * 2.0**-52
 """How far a node or a centre may be off, as a share of its terms."""

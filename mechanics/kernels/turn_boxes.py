@@ -26,9 +26,9 @@ from mechanics.kernels.bands import (
     steady,
     turning,
 )
+from mechanics.kernels.codes import INSIDE, UNSEEN
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import Numbers, Vector, arm, numbers
-from mechanics.kernels.octree import UNSEEN
 from mechanics.kernels.sides import above
 from mechanics.kernels.sweeps import ARCS_PER_TEST, discriminant
 from mechanics.kernels.waves import Wave
@@ -39,7 +39,6 @@ SLACK = 1e-6
 
 What rounding, and the thresholds of single poses, take of a squared length is far below its square.
 """
-INSIDE = 0
 TOGETHER = 512
 """Boxes judged together: few enough for the second cache."""
 WIDE, NARROW = 0, 1

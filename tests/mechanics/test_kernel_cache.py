@@ -117,3 +117,8 @@ def test_of_processes_that_start_together_one_compiles(copy: Copy) -> None:
     answers = copy.compute_at_once(3)
     assert [value for value, _ in answers] == pytest.approx([SINE] * 3)
     assert sum(compilations for _, compilations in answers) == 1
+
+
+def test_a_cache_folder_that_cannot_be_made_is_done_without(copy: Copy) -> None:
+    (copy.root / "cache").write_text("a file in its place")
+    assert copy.compute() == pytest.approx(SINE)

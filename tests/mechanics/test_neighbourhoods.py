@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analyses.mechanisms import build
-from mechanics import workspace
+from mechanics import judging, workspace
 from mechanics.arrays import Floats
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.actuator_speed import ActuatorSpeed
@@ -51,7 +51,7 @@ def centres_of(draw: Draw, mechanism: Mechanism, random: Random, count: int) -> 
     return np.ascontiguousarray(poses[:, reached][:, :count])
 
 
-def limited(mechanism: Mechanism, poses: Floats, random: Random) -> Mechanism:
+def limited(mechanism: Mechanism, poses: Floats) -> Mechanism:
     """Return the mechanism with stops that some of these poses meet and others do not."""
     drives = Configuration(mechanism, poses).actuators
     low, high = (np.quantile(drives, q, axis=1) for q in (0.1, 0.9))
@@ -109,7 +109,7 @@ def test_no_pose_near_a_centre_breaks_what_is_told_of_it(name: str) -> None:
     for _ in range(3):
         draw = DRAWS[name](random)
         poses = centres_of(draw, wired(draw.wire), random, 60)
-        mechanism = limited(wired(draw.wire), poses, random)
+        mechanism = limited(wired(draw.wire), poses)
         conditions = conditions_of(mechanism, poses, random)
         count = poses.shape[1]
         sizes = 10.0 ** random.uniform(-4.0, -0.7, (2, count))
@@ -130,7 +130,7 @@ def test_enough_is_told_of_small_neighbourhoods(name: str) -> None:
     random = np.random.default_rng(31)
     draw = DRAWS[name](random)
     poses = centres_of(draw, wired(draw.wire), random, 100)
-    mechanism = limited(wired(draw.wire), poses, random)
+    mechanism = limited(wired(draw.wire), poses)
     small = Near(*np.full((2, poses.shape[1]), 1e-5))
     near = Neighbourhood(Configuration(mechanism, poses), small, SIZE)
     for condition in conditions_of(mechanism, poses, random):
@@ -165,8 +165,9 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
 @pytest.fixture
 def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge boxes however few nodes they have, and there are."""
-    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "FEWEST": 4, "MOST_ASKED": 2.0}.items():
-        monkeypatch.setattr(workspace, name, value)
+    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
+        monkeypatch.setattr(judging, name, value)
+    monkeypatch.setattr(workspace, "FEWEST", 4)
 
 
 def same(one: Scan, other: Scan) -> bool:
@@ -187,19 +188,21 @@ def grid_of(draw: Draw, mechanism: Mechanism, names: list[str], nodes: int) -> G
     return Grid(axes, tuple(columns), middle)
 
 
+def coordinates_of_one_kind() -> list[tuple[str, str]]:
+    """Return the draws, with each kind of coordinates that their motions have."""
+    motions = {name: wired(DRAWS[name](np.random.default_rng(0)).wire).motion for name in NAMES}
+    kinds = ("translations", "turns")
+    return [(name, kind) for name in NAMES for kind in kinds if getattr(motions[name], kind)]
+
+
 @pytest.mark.usefixtures("boxes_always")
-@pytest.mark.parametrize("kind", ["moving", "turning"])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(("name", "kind"), coordinates_of_one_kind())
 def test_boxes_and_nodes_agree(name: str, kind: str) -> None:
     random = np.random.default_rng(43)
     draw = DRAWS[name](random)
     poses = centres_of(draw, wired(draw.wire), random, 200)
-    mechanism = limited(wired(draw.wire), poses, random)
-    motion = mechanism.motion
-    names = list(motion.translations if kind == "moving" else motion.turns)
-    if not names:
-        pytest.skip("the motion has no such coordinates")
-    grid = grid_of(draw, mechanism, names, 20_000)
+    mechanism = limited(wired(draw.wire), poses)
+    grid = grid_of(draw, mechanism, list(getattr(mechanism.motion, kind)), 20_000)
     asked = conditions_of(mechanism, poses, random)
     for conditions in (asked, asked[:1], [asked[0], asked[-1]], asked[1:3]):
         by_boxes = scan(mechanism, conditions, grid, {}, 0, grid.size)
@@ -249,7 +252,7 @@ def test_a_stretch_by_boxes_may_begin_and_end_within_a_line(name: str) -> None:
     random = np.random.default_rng(53)
     draw = DRAWS[name](random)
     poses = centres_of(draw, wired(draw.wire), random, 200)
-    mechanism = limited(wired(draw.wire), poses, random)
+    mechanism = limited(wired(draw.wire), poses)
     grid = grid_of(draw, mechanism, list(mechanism.motion.translations), 60_000)
     conditions = conditions_of(mechanism, poses, random)[:1]
     conditions.append(PressureAngle(mechanism, 0.9))

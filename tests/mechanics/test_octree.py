@@ -7,7 +7,7 @@ import pytest
 
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.grid import Axis, Grid
-from mechanics.kernels.octree import UNSEEN
+from mechanics.kernels.codes import UNSEEN
 from mechanics.motions import PLANAR, SPATIAL, SPHERICAL, Motion
 from mechanics.octree import Reach, boxes_of, decide, foresee
 

@@ -10,7 +10,7 @@ from mechanics.conditions.condition import Condition
 from mechanics.conditions.pressure_angle import PressureAngle
 from mechanics.conditions.reach import Reach as Reaching
 from mechanics.grid import Axis, Grid
-from mechanics.kernels.octree import UNSEEN
+from mechanics.kernels.codes import UNSEEN
 from mechanics.mechanism import Mechanism
 from mechanics.octree import Reach, decide
 from mechanics.orientations import Orientations, scan_orientations
