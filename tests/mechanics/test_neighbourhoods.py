@@ -138,6 +138,16 @@ def test_what_holds_at_a_pose_does_not_depend_on_its_company(name: str) -> None:
             assert own.tobytes() == together[:, [i]].tobytes(), condition.reason
 
 
+def test_motors_of_a_wrist_do_not_depend_on_the_company_of_a_pose() -> None:
+    random = np.random.default_rng(67)
+    draw = EVERY["geared_decoupled"](random)
+    poses = random.uniform(draw.least, draw.most, (100, draw.least.size)).T.copy()
+    together = Configuration(wired(draw.wire), poses).actuators
+    for i in range(poses.shape[1]):
+        own = Configuration(wired(draw.wire), np.ascontiguousarray(poses[:, [i]])).actuators
+        assert own.tobytes() == together[:, [i]].tobytes()
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_enough_is_told_of_small_neighbourhoods(name: str) -> None:
     random = np.random.default_rng(31)
