@@ -39,6 +39,8 @@ SECONDS_ASLANT = 6e-7
 """The same, of a leg whose own axis is aslant of the turn, and of stops: by the roots of waves."""
 MET_LATER = 0.25
 """The share of nodes asked by themselves that meet the first condition and are held to others."""
+SEARCHED = 100
+"""How many more angles are looked at to find where arcs end that have no closed forms."""
 SECONDS_JUDGED = 1.2e-6
 """Of a box of nodes, of which bounds are to tell the code at all angles of a turn."""
 SECONDS_TOLD = 1e-8
@@ -74,10 +76,24 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     once = SECONDS_PER_NODE if names or setup.fields else 0.0
     share = _asked_share(setup)
     boxes = SECONDS_BY_BOXES if share < 1.0 else 0.0
-    many = tries(setup.orientations, setup.conditions) * len(setup.mechanisms)
+    many = _looks(setup) * len(setup.mechanisms)
     tried = (boxes + share * (once + setup.mechanism.drive_count * asked)) * many
     grids = 1 if orientations is None else orientations.grid.size
     return tried + told * grids * len(setup.mechanisms)
+
+
+def _looks(setup: WorkspaceSetup) -> int:
+    """Return how often each node is looked at by itself, the ends of arcs sought included."""
+    orientations = setup.orientations
+    looks = tries(orientations, setup.conditions)
+    if orientations is None or orientations.turn is None or _closed(setup):
+        return looks
+    return looks + SEARCHED * orientations.grid.size
+
+
+def _closed(setup: WorkspaceSetup) -> bool:
+    """Return whether all conditions have closed forms at all angles of a turn."""
+    return swept(setup.conditions) == len(setup.conditions)
 
 
 def _asked_share(setup: WorkspaceSetup) -> float:

@@ -208,7 +208,11 @@ class _Tried:
     def by_lines(self, grid: Grid) -> None:
         """Try the one orientation of a grid of the same positions, along its lines."""
         among = None if self.measured else self._open
-        found = scan(self.mechanism, self.conditions, grid, {}, self.start, self._stop, among=among)
+        found = scan(
+            *(self.mechanism, self.conditions, grid, {}, self.start, self._stop),
+            by_boxes=self.by_boxes,
+            among=among,
+        )
         fresh = np.repeat(found.codes, found.lengths)
         self._put(fresh, (fresh == INSIDE).astype(np.float64))
 

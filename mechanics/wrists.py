@@ -43,7 +43,9 @@ class Wrist:
 
         Angles are taken as they are: one more turn of the platform is another place of a motor.
         """
-        turned: Floats = self.gains @ angles
+        first, second, third = self.gains.T[:, :, None]
+        # A product of matrices would be summed in another order for one pose than for many.
+        turned: Floats = first * angles[0] + second * angles[1] + third * angles[2]
         return turned
 
     def angles(self, motors: Floats) -> Floats:

@@ -25,5 +25,17 @@ def angles_between(first: Floats, second: Floats) -> Floats:
     """Return the angles, shape (parts, poses), of vectors, shape (parts, 3, poses) each. [rad]"""
     # The arc cosine alone would lose half the digits where the vectors fold or align.
     sines = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
-    angles: Floats = np.arctan2(sines, np.einsum("kji,kji->ki", first, second))
+    angles: Floats = np.arctan2(sines, products(first, second))
     return angles
+
+
+def products(first: Floats, second: Floats) -> Floats:
+    """Return the inner products, shape (parts, poses), of vectors, shape (parts, 3, poses) each.
+
+    Summed in the same order always: `einsum` has another for one pose than for many, and what
+    holds at a pose would depend on its company.
+    """
+    total: Floats = first[:, 0] * second[:, 0]
+    for j in (1, 2):
+        total += first[:, j] * second[:, j]
+    return total

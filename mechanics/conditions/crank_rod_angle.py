@@ -3,7 +3,7 @@
 import numpy as np
 
 from mechanics.arrays import Floats
-from mechanics.conditions.bounds import margin_between, nearest_bound
+from mechanics.conditions.bounds import margin_between, nearest_bound, products
 from mechanics.conditions.condition import Breach, Condition, TurnTest
 from mechanics.configuration import Configuration
 from mechanics.kernels import bands
@@ -60,7 +60,7 @@ class CrankRodAngle(Condition):
 
     def _angles(self, block: Configuration) -> Floats:
         spans = block.attachment[1]
-        angles = self._bent(block.mechanism, np.einsum("kji,kji->ki", spans, spans))
+        angles = self._bent(block.mechanism, products(spans, spans))
         return np.where(block.reach[list(self.legs)] >= 0.0, angles, np.nan)
 
     def _bent(self, mechanism: Mechanism, squares: Floats) -> Floats:

@@ -1,7 +1,5 @@
 """The joint at the platform end of each rod: it swings no farther than its cone allows."""
 
-import numpy as np
-
 from mechanics.arrays import Floats
 from mechanics.conditions.bounds import angles_between, at_most
 from mechanics.conditions.condition import Breach, Condition
@@ -45,5 +43,7 @@ class PlatformJointAngle(Condition):
         if block.mechanism.wrist is not None:
             return angles_between(block.rods[0], self._axes[:, :, None])
         rotations = block.placement[1].reshape(3, 3, -1)
-        rest = np.einsum("jkn,lk->ljn", rotations, self._axes)
+        x, y, z = self._axes.T[:, :, None, None]
+        # In one order, as `products` are summed, whatever a pose's company.
+        rest = rotations[:, 0] * x + rotations[:, 1] * y + rotations[:, 2] * z
         return angles_between(block.rods[0], rest)

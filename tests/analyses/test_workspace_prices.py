@@ -96,3 +96,22 @@ def test_many_short_lines_cost_more_than_few_long_ones() -> None:
         }
         prices.append(analyses.estimate(parse_request(json.dumps(body)), SYNCHRONOUS).seconds)
     assert prices[0] > 2.0 * prices[1]
+
+
+def test_the_ends_of_arcs_are_sought_however_short_the_range() -> None:
+    wire = DRAWS["planar_3rrr"](np.random.default_rng(0)).wire
+    prices = []
+    for wide in (0.02, 3.0):
+        body = {
+            "analysis": "workspace",
+            "mechanism": wire,
+            "type": "inclusive_orientation",
+            "class": "effective",
+            "grid": [{"coordinate": c, "min": -0.3, "max": 0.3, "step": 0.03} for c in "xy"],
+            "orientation_range": [{"coordinate": "phi", "min": -wide, "max": wide}],
+            "effective": {"max_pressure_angle": 1.0},
+        }
+        request = parse_request(json.dumps(body))
+        analyses.check(request, 10**9)
+        prices.append(analyses.estimate(request, SYNCHRONOUS).seconds)
+    assert 0.1 * prices[1] < prices[0] < prices[1]

@@ -126,6 +126,29 @@ def test_no_pose_near_a_centre_breaks_what_is_told_of_it(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+def test_what_holds_at_a_pose_does_not_depend_on_its_company(name: str) -> None:
+    random = np.random.default_rng(61)
+    draw = DRAWS[name](random)
+    poses = centres_of(draw, wired(draw.wire), random, 200)
+    mechanism = limited(wired(draw.wire), poses, random)
+    for condition in conditions_of(mechanism, poses, random):
+        together = condition.check(Configuration(mechanism, poses))
+        for i in range(poses.shape[1]):
+            own = condition.check(Configuration(mechanism, np.ascontiguousarray(poses[:, [i]])))
+            assert own.tobytes() == together[:, [i]].tobytes(), condition.reason
+
+
+def test_motors_of_a_wrist_do_not_depend_on_the_company_of_a_pose() -> None:
+    random = np.random.default_rng(67)
+    draw = EVERY["geared_decoupled"](random)
+    poses = random.uniform(draw.least, draw.most, (100, draw.least.size)).T.copy()
+    together = Configuration(wired(draw.wire), poses).actuators
+    for i in range(poses.shape[1]):
+        own = Configuration(wired(draw.wire), np.ascontiguousarray(poses[:, [i]])).actuators
+        assert own.tobytes() == together[:, [i]].tobytes()
+
+
+@pytest.mark.parametrize("name", NAMES)
 def test_enough_is_told_of_small_neighbourhoods(name: str) -> None:
     random = np.random.default_rng(31)
     draw = DRAWS[name](random)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from mechanics import workspace
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.conditions.pressure_angle import PressureAngle
@@ -12,6 +13,7 @@ from mechanics.conditions.reach import Reach as Reaching
 from mechanics.grid import Axis, Grid
 from mechanics.kernels.codes import UNSEEN
 from mechanics.mechanism import Mechanism
+from mechanics.neighbourhoods import Margins, Neighbourhood
 from mechanics.octree import Reach, decide
 from mechanics.orientations import Orientations, scan_orientations
 from mechanics.sweeps import Sweep, arcs_left
@@ -153,3 +155,26 @@ def test_what_is_told_of_a_box_holds_at_poses_between_its_nodes(
                     moved[column] += sizes * random.choice([-1.0, -0.3, 0.5, 1.0], 300)
                 single, _ = arcs_left(mechanism, conditions, turn, moved, every=every)
                 assert np.array_equal(single[own], codes[own])
+
+
+def test_no_box_of_one_orientation_is_judged_where_nodes_are_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    draw, mechanism = drawn("gough_stewart", 5)
+    grid = grid_of(draw, mechanism, "rz", 12)
+    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
+        monkeypatch.setattr(workspace, name, value)
+    asked: list[Condition] = []
+
+    judged = PressureAngle.margins_near
+
+    def margins_near(self: PressureAngle, near: Neighbourhood) -> Margins:
+        asked.append(self)
+        return judged(self, near)
+
+    monkeypatch.setattr(PressureAngle, "margins_near", margins_near)
+    conditions: list[Condition] = [Reaching(mechanism), PressureAngle(mechanism, 1.5)]
+    around = Orientations(Grid((), (), grid.fixed), None, 0.0)
+    tried = (mechanism, conditions, grid, around, 0, grid.size)
+    scan_orientations(*tried, every=True, measured=False, by_boxes=False)
+    assert not asked
