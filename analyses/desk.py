@@ -18,8 +18,9 @@ from analyses.velocity import Velocity
 from analyses.workspace import Workspace
 from schemas.analyses import Request, mechanism_of, parse_request
 from schemas.estimates import Estimate
-from schemas.examples import EXAMPLES, HEAVY
+from schemas.examples import EXAMPLES
 from schemas.friction_torque import FrictionTorqueRequest
+from schemas.heavy import HEAVY
 from schemas.kinds import Kind
 from schemas.mechanisms import KINDS, StoredMechanism
 from schemas.quantities import Model

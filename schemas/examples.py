@@ -22,7 +22,6 @@ from schemas.friction_torque import FrictionTorqueRequest
 from schemas.gears import ExplicitMesh
 from schemas.inverse_kinematics import InverseKinematicsRequest
 from schemas.singularity import SingularityRequest
-from schemas.starters import STARTERS
 from schemas.velocity import VelocityRequest
 from schemas.workspace import GridAxis, WorkspaceRequest
 
@@ -257,31 +256,3 @@ _FRICTION_TORQUE = Example(
 )
 
 EXAMPLES = (_INVERSE, _FORWARD, _VELOCITY, _EFFORT, _SINGULARITY, _WORKSPACE, _FRICTION_TORQUE)
-
-_FEW_NODES = [
-    GridAxis(coordinate="x", min=-0.05, max=0.05, step=0.025),
-    GridAxis(coordinate="y", min=-0.05, max=0.05, step=0.025),
-]
-HEAVY: tuple[Request, ...] = (
-    ForwardKinematicsRequest(
-        analysis="forward_kinematics",
-        mechanism=STARTERS["gough_stewart"],
-        actuators=[[0.8, 0.81, 0.82, 0.83, 0.84, 0.85]],
-    ),
-    *(
-        WorkspaceRequest.model_validate(
-            {
-                "analysis": "workspace",
-                "mechanism": STARTERS[kind],
-                "class": "theoretical",
-                "type": "maximal",
-                "grid": _FEW_NODES,
-                "fixed": fixed,
-                "inscribed": True,
-            }
-        )
-        for kind, fixed in (("planar_3rrr", {}), ("gough_stewart", {"z": 0.7}))
-    ),
-)
-"""Ask for what takes the longest to compile: all modes of six rods, all angles of a turn, and what
-is inscribed in a workspace."""

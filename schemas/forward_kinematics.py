@@ -1,9 +1,9 @@
 """`forward_kinematics`: where the platform is at drive positions, in every assembly mode."""
 
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Discriminator, Field, Tag
 
 from schemas.legged import Sign, WorkingMode
 from schemas.mechanisms import Mechanism
@@ -21,6 +21,16 @@ ActuatorRows = Annotated[
 ]
 
 
+def _shape(given: Any) -> str:  # noqa: ANN401
+    """Return which branch a guess is of, so that only what is wrong in that one is told."""
+    rows = isinstance(given, list) and any(isinstance(row, list) for row in given)
+    return "rows" if rows else "pose"
+
+
+Guess = Annotated[
+    Annotated[Pose, Tag("pose")] | Annotated[list[Pose], Tag("rows")], Discriminator(_shape)
+]
+
 _OBSTACLES = "Which given drives are beyond their actuator limits; `pose` is the row of actuators."
 
 
@@ -30,10 +40,11 @@ class ForwardKinematicsRequest(Model):
     analysis: Literal["forward_kinematics"]
     mechanism: Mechanism
     actuators: ActuatorRows
-    guess: Pose | list[Pose] | None = Field(
+    guess: Guess | None = Field(
         default=None,
         description="A pose, or one per row, from which Newton's iteration starts; the answer is "
-        "then where it led, and no other mode.",
+        "then where it led, and no other mode. Of the turns that a wrist makes no notice is taken: "
+        "the motors tell them.",
     )
 
 

@@ -1,6 +1,7 @@
 """`forward_kinematics` from guesses, over HTTP."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -36,3 +37,21 @@ def test_what_did_not_converge_has_left_for_nowhere(refusing: Service) -> None:
     answer = refusing.post("/v1/analyses", asked | {"actuators": [[math.pi, 0.0]]})
     (step,) = answer.json()["newton"]
     assert (step["converged"], step["left_mode"]) == (False, None)
+
+
+@pytest.mark.parametrize(
+    ("guess", "told"),
+    [
+        ([None, 0.8], {"/guess/0": "should be a valid number; given None"}),
+        ([[0.0, 0.8], 0.8], {"/guess/1": "should be a valid list; given 0.8"}),
+        ([[0.0, 0.8]] * 700 + [[0.0, {}]], {"/guess/700/1": "should be a valid number; given {}"}),
+    ],
+)
+def test_what_is_told_of_a_guess_is_what_is_wrong_with_it(
+    refusing: Service, guess: list[Any], told: dict[str, str]
+) -> None:
+    """And not how it differs from the other of the two forms."""
+    asked = {"analysis": "forward_kinematics", "mechanism": FIVE_BAR, "guess": guess}
+    answer = refusing.post("/v1/analyses", asked | {"actuators": [[UPRIGHT, UPRIGHT]]})
+    assert answer.status_code == 422
+    assert {one["pointer"]: one["detail"] for one in answer.json()["errors"]} == told

@@ -37,7 +37,8 @@ class ForwardKinematicsRequest:
         mechanism (Custom | DeltaLinear | DeltaLinear4Dof | DeltaRotary | FiveBar | GearedDecoupled | GoughStewart |
             HexaLinear | HexaRotary | Planar3RRR | Spherical3RRR | StoredMechanism | Translational3RRRR):
         guess (list[float] | list[list[float]] | None | Unset): A pose, or one per row, from which Newton's iteration
-            starts; the answer is then where it led, and no other mode.
+            starts; the answer is then where it led, and no other mode. Of the turns that a wrist makes no notice is taken:
+            the motors tell them.
     """
 
     actuators: list[list[float]]
@@ -117,10 +118,10 @@ class ForwardKinematicsRequest:
 
         elif isinstance(self.guess, list):
             guess = []
-            for guess_type_1_item_data in self.guess:
-                guess_type_1_item = guess_type_1_item_data
+            for guess_type_0_type_1_item_data in self.guess:
+                guess_type_0_type_1_item = guess_type_0_type_1_item_data
 
-                guess.append(guess_type_1_item)
+                guess.append(guess_type_0_type_1_item)
 
         else:
             guess = self.guess
@@ -296,22 +297,22 @@ class ForwardKinematicsRequest:
             try:
                 if not isinstance(data, list):
                     raise TypeError()
-                guess_type_0 = cast(list[float], data)
+                guess_type_0_type_0 = cast(list[float], data)
 
-                return guess_type_0
+                return guess_type_0_type_0
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
             try:
                 if not isinstance(data, list):
                     raise TypeError()
-                guess_type_1 = []
-                _guess_type_1 = data
-                for guess_type_1_item_data in _guess_type_1:
-                    guess_type_1_item = cast(list[float], guess_type_1_item_data)
+                guess_type_0_type_1 = []
+                _guess_type_0_type_1 = data
+                for guess_type_0_type_1_item_data in _guess_type_0_type_1:
+                    guess_type_0_type_1_item = cast(list[float], guess_type_0_type_1_item_data)
 
-                    guess_type_1.append(guess_type_1_item)
+                    guess_type_0_type_1.append(guess_type_0_type_1_item)
 
-                return guess_type_1
+                return guess_type_0_type_1
             except (TypeError, ValueError, AttributeError, KeyError):
                 pass
             return cast(list[float] | list[list[float]] | None | Unset, data)
