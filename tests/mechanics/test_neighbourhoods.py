@@ -130,7 +130,7 @@ def test_what_holds_at_a_pose_does_not_depend_on_its_company(name: str) -> None:
     random = np.random.default_rng(61)
     draw = DRAWS[name](random)
     poses = centres_of(draw, wired(draw.wire), random, 200)
-    mechanism = limited(wired(draw.wire), poses, random)
+    mechanism = limited(wired(draw.wire), poses)
     for condition in conditions_of(mechanism, poses, random):
         together = condition.check(Configuration(mechanism, poses))
         for i in range(poses.shape[1]):
