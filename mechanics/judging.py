@@ -84,6 +84,11 @@ def worth_judging(
     return _untold_share(mechanism, conditions, grid, grid.poses_at(nodes)) <= MOST_ASKED
 
 
+def sparse(size: int, left: int) -> bool:
+    """Return whether in a window of so many nodes too few are left for its boxes to be judged."""
+    return size > SPARSE * left
+
+
 def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
     """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
 

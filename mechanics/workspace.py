@@ -11,7 +11,7 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.fields import Field
 from mechanics.grid import Grid
-from mechanics.judging import FEWEST, SPARSE, Judgement, worth_judging
+from mechanics.judging import FEWEST, Judgement, sparse, worth_judging
 from mechanics.kernels import runs as kernels
 from mechanics.kernels.codes import INSIDE
 from mechanics.lines import provable, walk_lines
@@ -137,7 +137,7 @@ class _Left:
             return None
         window, places = window_about(self.grid, nodes)
         size = math.prod(window.shape)
-        if size > SPARSE * nodes.size:
+        if sparse(size, nodes.size):
             return None
         asked = np.zeros(size, np.bool_)
         asked[places] = True

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from mechanics import workspace
+from mechanics import judging
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.conditions.condition import Condition
 from mechanics.conditions.pressure_angle import PressureAngle
@@ -163,7 +163,7 @@ def test_no_box_of_one_orientation_is_judged_where_nodes_are_asked_for(
     draw, mechanism = drawn("gough_stewart", 5)
     grid = grid_of(draw, mechanism, "rz", 12)
     for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
-        monkeypatch.setattr(workspace, name, value)
+        monkeypatch.setattr(judging, name, value)
     asked: list[Condition] = []
 
     judged = PressureAngle.margins_near
