@@ -28,7 +28,7 @@ class Model:
         return json.dumps(self.values)
 
 
-def warm() -> None:
+def warm(*, backwards: bool = False) -> None:
     """Need nothing."""
 
 
