@@ -27,7 +27,7 @@ SECONDS_PER_LEG = {
     "condition_number": 3e-7,
     "actuator_speed": 8e-8,
 }
-SECONDS_BY_LINES = 3e-10
+SECONDS_BY_LINES = 1e-9
 """Of a leg's condition that is decided along whole lines, a node."""
 SECONDS_PER_LINE, SECONDS_PER_LINE_OF_CRANKS = 1e-8, 1.5e-7
 """The same, a line: of rails and struts, and of cranks, most of all such with stops."""
