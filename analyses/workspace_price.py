@@ -1,5 +1,8 @@
 """What a workspace costs: measured on one core of a common machine, condition by condition."""
 
+from collections.abc import Callable
+from typing import TypeVar
+
 import numpy as np
 
 from analyses.workspace_orientations import EVERY, tries
@@ -11,6 +14,8 @@ from mechanics.lines import provable
 from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
 from schemas.workspace import WorkspaceRequest
+
+W = TypeVar("W")
 
 SECONDS_PER_NODE = 1.5e-7
 SECONDS_PER_LEG = {
@@ -118,6 +123,17 @@ def seconds_inscribed(request: WorkspaceRequest, setup: WorkspaceSetup) -> float
     return setup.grid.size * SECONDS_INSCRIBED if sought else 0.0
 
 
+def _forecast(
+    ask: Callable[..., W],
+    request: WorkspaceRequest,
+    setup: WorkspaceSetup,
+    orientations: Orientations,
+) -> W:
+    """Return what a request's orientations are foreseen to take, asked in one way or another."""
+    tried = setup.mechanism, setup.conditions, setup.grid, orientations
+    return ask(*tried, every=request.type in EVERY, measured=bool(request.fields))
+
+
 def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[int, float]:
     """Return how many leading conditions are told for many nodes at once, and their cost a node."""
     orientations = setup.orientations
@@ -127,14 +143,7 @@ def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[in
     decided = swept(setup.conditions)
     parts = [len(condition.legs) for condition in setup.conditions[:decided]]
     tests = sum(parts[:1]) + MET_LATER * sum(parts[1:])
-    work = foreseen(
-        setup.mechanism,
-        setup.conditions,
-        setup.grid,
-        orientations,
-        every=request.type in EVERY,
-        measured=bool(request.fields),
-    )
+    work = _forecast(foreseen, request, setup, orientations)
     asked = SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
     total = SECONDS_JUDGED * work.judged + asked * tests * work.asked
     return decided, SECONDS_TOLD + total / setup.grid.size
@@ -157,14 +166,7 @@ def _seconds_all_round(
     request: WorkspaceRequest, setup: WorkspaceSetup, orientations: Orientations
 ) -> float:
     """Return the cost of a node at many orientations that are tried at once. [s]"""
-    work = sampled_work(
-        setup.mechanism,
-        setup.conditions,
-        setup.grid,
-        orientations,
-        every=request.type in EVERY,
-        measured=bool(request.fields),
-    )
+    work = _forecast(sampled_work, request, setup, orientations)
     cut = SECONDS_CUT_ASLANT if _aslant(setup) else SECONDS_CUT
     tests = sum(len(condition.legs) for condition in setup.conditions)
     times = tests * orientations.grid.size * len(setup.mechanisms)

@@ -63,6 +63,19 @@ def told(scan: Scan) -> Floats:
     return np.concatenate([np.asarray(part, dtype=float) for part in parts])
 
 
+Tried = tuple[Mechanism, list[Condition], Grid, Orientations, int, int]
+
+
+def boxes_agree_with_nodes(tried: Tried, every: bool) -> None:
+    """Hold codes, and what is measured of orientations, by boxes against those by nodes."""
+    for measured in (False, True):
+        by_boxes, by_nodes = (
+            scan_orientations(*tried, every=every, measured=measured, by_boxes=way)
+            for way in (True, False)
+        )
+        assert np.array_equal(told(by_boxes), told(by_nodes))
+
+
 @pytest.mark.parametrize("every", [False, True])
 @pytest.mark.parametrize(("name", "coordinate"), CASES)
 def test_boxes_say_what_nodes_say(name: str, coordinate: str, every: bool) -> None:
@@ -73,17 +86,7 @@ def test_boxes_say_what_nodes_say(name: str, coordinate: str, every: bool) -> No
         around = Orientations(Grid((), (), grid.fixed), turn, high - low)
         stretch = (grid.size // 7, grid.size - grid.size // 9)
         for conditions in chosen(mechanism):
-            for measured in (False, True):
-                by_boxes, by_nodes = (
-                    scan_orientations(
-                        *(mechanism, conditions, grid, around, *stretch),
-                        every=every,
-                        measured=measured,
-                        by_boxes=way,
-                    )
-                    for way in (True, False)
-                )
-                assert np.array_equal(told(by_boxes), told(by_nodes))
+            boxes_agree_with_nodes((mechanism, conditions, grid, around, *stretch), every)
 
 
 @pytest.mark.parametrize("every", [False, True])
@@ -113,17 +116,7 @@ def test_conditions_without_closed_forms_are_searched_where_boxes_are_not_told()
     turn = turned(mechanism, "phi", -math.pi, math.pi)
     around = Orientations(Grid((), (), grid.fixed), turn, 2.0 * math.pi)
     for every in (False, True):
-        for measured in (False, True):
-            by_boxes, by_nodes = (
-                scan_orientations(
-                    *(mechanism, conditions, grid, around, 3, grid.size),
-                    every=every,
-                    measured=measured,
-                    by_boxes=way,
-                )
-                for way in (True, False)
-            )
-            assert np.array_equal(told(by_boxes), told(by_nodes))
+        boxes_agree_with_nodes((mechanism, conditions, grid, around, 3, grid.size), every)
 
 
 @pytest.mark.parametrize("every", [False, True])
