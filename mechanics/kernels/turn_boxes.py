@@ -20,10 +20,10 @@ from mechanics.kernels.bands import (
     Turning,
     at_angle,
     band_within,
+    by_band,
     dot,
     moved,
     square,
-    steady,
     turning,
 )
 from mechanics.kernels.codes import INSIDE, UNSEEN
@@ -275,7 +275,7 @@ def _left(
 @inlined
 def _bounded(test: int, drive: int, leg: Numbers, d: Turning, turned: float) -> bool:
     """Return whether bounds on |d|^2 decide a test at all poses of a box."""
-    if drive == STRUT or test == SPAN:
-        return True
-    # What is steady at the centre is so elsewhere only if nothing turns.
-    return test == REACH and turned == 0.0 and steady(leg, d)
+    if turned == 0.0:
+        return by_band(test, drive, leg, d)
+    # What is steady at the centre need not be so where the platform is turned.
+    return drive == STRUT or test == SPAN
