@@ -81,15 +81,20 @@ def rails() -> None:
     compare("the same, the whole grid", ours(coarse), 1, "the same at half the step", ours(fine))
 
 
+def above_base(count: int) -> Grid:
+    """Return a cube of nodes, so many a side, over which the hexapod's platform moves upright."""
+    step = 2.0 / (count - 1)
+    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
+    return Grid(axes, (0, 1, 2), np.zeros(6))
+
+
 def struts() -> None:
     """Compare whole lines of six limited struts with NumPy."""
     mechanism = limited_hexapod(SHORTEST, LONGEST)
-    step = 2.0 / 199
-    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
-    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    grid = above_base(200)
     conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
     centres = mechanism.legs.base_point - mechanism.legs.platform_point
-    nodes = [axis.nodes for axis in axes]
+    nodes = [axis.nodes for axis in grid.axes]
     compare(
         "6-SPS, limits, by lines, a node",
         lambda: scan(mechanism, conditions, grid, {}, 0, grid.size),
@@ -141,9 +146,7 @@ def orientations() -> None:
 def fields() -> None:
     """Compare a 6-SPS with two fields, a node, with batched inversion in NumPy."""
     mechanism = limited_hexapod(SHORTEST, LONGEST)
-    step = 2.0 / 99
-    axes = (Axis("x", -1.0, 1.0, step), Axis("y", -1.0, 1.0, step), Axis("z", 0.0, 2.0, step))
-    grid = Grid(axes, (0, 1, 2), np.zeros(6))
+    grid = above_base(100)
     conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
     kept = {"effort": kept_fields.effort_max(Load(1.0, 0.1)), "angle": kept_fields.pressure_angle}
     positions = np.ascontiguousarray(grid.poses(0, grid.size)[:3].T)
@@ -175,13 +178,7 @@ def effective() -> None:
         Effort(mechanism, Load(1.0, 0.1), np.full(6, most)),
         PressureAngle(mechanism, steepest),
     ]
-
-    def grid(count: int) -> Grid:
-        step = 2.0 / (count - 1)
-        lows = zip("xyz", (-1.0, -1.0, 0.0), strict=True)
-        return Grid(tuple(Axis(c, low, low + 2.0, step) for c, low in lows), (0, 1, 2), np.zeros(6))
-
-    coarse, fine = grid(100), grid(200)
+    coarse, fine = above_base(100), above_base(200)
     positions = np.ascontiguousarray(coarse.poses(0, coarse.size)[:3].T)
     legs = mechanism.legs
 
