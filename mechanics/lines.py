@@ -39,22 +39,17 @@ def walk_lines(
     """Return the runs of whole lines under conditions that are decided along them."""
     tests = _tests(conditions, mechanism.legs.drive)
     line = grid.shape[-1]
-    stretch, near = LINES * line, NEAR * greatest_length(mechanism, grid)
-    parts = [
-        walk(
-            tests,
-            mechanism.legs,
-            mechanism.motion.kernel,
-            grid.kernel,
-            near,
-            first,
-            min(first - first % line + stretch, stop),
+    near = NEAR * greatest_length(mechanism, grid)
+    parts: list[tuple[Bytes, Integers]] = []
+    told = start
+    while told < stop or not parts:
+        behind = min(told - told % line + LINES * line, stop)
+        codes, lengths, told = walk(
+            tests, mechanism.legs, mechanism.motion.kernel, grid.kernel, near, told, behind
         )
-        for first in (start, *range(start - start % line + stretch, stop, stretch))
-    ]
-    if len(parts) == 1:
-        return parts[0]
-    codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
+        parts.append((codes, lengths))
+    if len(parts) > 1:
+        codes, lengths = (np.concatenate(column) for column in zip(*parts, strict=True))
     return codes, lengths
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from mechanics.arrays import Bytes, Floats, Integers
 from mechanics.kernels.compiling import inlined, kernel
 from mechanics.kernels.legs import arm, numbers, span
+from mechanics.kernels.line_blocks import out_of_reach
 from mechanics.kernels.line_cuts import Scratch, cut, holds, room_for_scratch
 from mechanics.kernels.line_ends import ABREAST, FIRST, HOLE, HOLE_STOP, LIMITS, STOP, Line, Part
 from mechanics.kernels.line_places import Places, place_lines, room_for_places
@@ -26,7 +27,7 @@ class Tests(NamedTuple):
 
 
 class Runs(NamedTuple):
-    """Runs by their first nodes and codes; there is room for more."""
+    """Runs by their first nodes and codes."""
 
     starts: Integers
     codes: Bytes
@@ -56,55 +57,64 @@ def walk(
     near: float,
     start: int,
     stop: int,
-) -> tuple[Bytes, Integers]:
-    """Return codes and lengths of the runs of the flat nodes start..stop.
+) -> tuple[Bytes, Integers, int]:
+    """Return codes and lengths of the runs of flat nodes from `start`, and the first not told.
 
-    A node's code is that of the first test that fails there, or 0. The last axis must be a
-    translation; `grid` is what `grid_poses` takes. Nodes within `near` of a root decide for
-    themselves. [m]
+    That is `stop` unless lines have many runs. A node's code is that of the first test that fails
+    there, or 0. The last axis must be a translation; `grid` is what `grid_poses` takes. Nodes
+    within `near` of a root decide for themselves. [m]
     """
     minima, steps, shape, columns, _ = grid
     nodes = shape[-1]
     line = Line(columns[-1], nodes, minima[-1], steps[-1], near / steps[-1])
     origin = start // nodes
     behind = (stop - 1) // nodes + 1 if start < stop else origin
-    runs = _room(min(4 * (behind - origin) + ABREAST * nodes, stop - start))
+    room = min(4 * (behind - origin) + ABREAST * nodes, stop - start)
+    runs = Runs(np.empty(room, np.int64), np.empty(room, np.uint8))
     places = room_for_places(motion, grid)
     # Numbers alone: an array handed on is counted, block by block.
-    parts = [_part(tests, legs, p) for p in range(tests.test.size)]
+    parts = _parts(tests, legs)
     scratch = room_for_scratch(_limited_cranks(tests, legs))
     # What a test leaves of a line may be cut twice.
     most = 2 * len(parts)
     cuts, asked = np.empty((most, 4, ABREAST)), np.empty(most, np.int64)
     stack = Stack(np.empty(nodes + 2), np.empty(nodes + 2, np.uint8), np.empty(nodes + 2, np.int64))
-    written = 0
+    written, told = 0, start
     for begin in range(origin, behind, ABREAST):
         lines = min(ABREAST, behind - begin)
-        place_lines(motion, grid, begin, places)
-        used = _cut_all(parts, line, places, lines, scratch, cuts, asked)
-        if min(written + lines * nodes, stop - start) > runs.codes.size:
-            runs = _larger(runs, written, stop - start)
-        at = begin, lines, start, stop
-        within = begin * nodes >= start and (begin + lines) * nodes <= stop
+        end = min((begin + lines) * nodes, stop)
+        if written + end - told > room:
+            break
+        within, used = begin * nodes >= start and (begin + lines) * nodes <= stop, 0
+        if within and _none_in_reach(parts, line, motion, grid, places, begin, lines):
+            scratch.whole[:] = parts[0].code
+        else:
+            place_lines(motion, grid, begin, places)
+            used = _cut_all(parts, line, places, lines, scratch, cuts, asked)
         if within and _all_whole(scratch.whole, lines):
             written = _write_whole(begin, nodes, lines, scratch.whole, runs, written)
         else:
+            at = begin, lines, start, stop
             written = _write_runs(
                 parts, line, places, scratch.whole, cuts, asked, used, at, stack, runs, written
             )
+        told = end
     lengths = np.empty(written, np.int64)
     for run in range(written - 1):
         lengths[run] = runs.starts[run + 1] - runs.starts[run]
     if written > 0:
-        lengths[written - 1] = stop - runs.starts[written - 1]
-    return runs.codes[:written].copy(), lengths
+        lengths[written - 1] = told - runs.starts[written - 1]
+    return runs.codes[:written].copy(), lengths, told
 
 
 @inlined
-def _part(tests: Tests, legs: Legs, p: int) -> Part:
-    """Return one test with the numbers of its leg."""
-    k = tests.leg[p]
-    return Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p], k)
+def _parts(tests: Tests, legs: Legs) -> list[Part]:
+    """Return the tests with the numbers of their legs."""
+    parts = []
+    for p in range(tests.test.size):
+        k = tests.leg[p]
+        parts.append(Part(tests.test[p], legs.drive[k], numbers(legs, k), tests.code[p], k))
+    return parts
 
 
 @inlined
@@ -118,17 +128,19 @@ def _limited_cranks(tests: Tests, legs: Legs) -> int:
 
 
 @inlined
-def _room(size: int) -> Runs:
-    return Runs(np.empty(size, np.int64), np.empty(size, np.uint8))
-
-
-@kernel
-def _larger(runs: Runs, written: int, most: int) -> Runs:
-    """Return the runs written so far with as much room again, or for the most there can be."""
-    larger = _room(min(2 * runs.codes.size, most))
-    larger.starts[:written] = runs.starts[:written]
-    larger.codes[:written] = runs.codes[:written]
-    return larger
+def _none_in_reach(
+    parts: list[Part],
+    line: Line,
+    motion: tuple[Floats, int, Floats],
+    grid: tuple[Floats, Floats, Integers, Integers, Floats],
+    places: Places,
+    begin: int,
+    lines: int,
+) -> bool:
+    """Return whether no node of a block of lines is seen, without a look at any, to pass."""
+    if len(parts) == 0 or places.rotations.shape[1] > 1:
+        return False
+    return out_of_reach(parts[0], line, motion, grid, places.rotations, (begin, begin + lines))
 
 
 @inlined

@@ -39,16 +39,23 @@ def limited(draw: Draw, random: Random) -> Mechanism:
     return wired(draw.wire | {"actuator_limits": stops})
 
 
-def grid_about(draw: Draw, mechanism: Mechanism, random: Random, turning: bool) -> Grid:
-    """Return a grid of lines along some translation, wider than the draw's box."""
+def grid_about(
+    draw: Draw,
+    mechanism: Mechanism,
+    random: Random,
+    turning: bool,
+    size: float = 4.0,
+    lines: int = 5,
+) -> Grid:
+    """Return a grid of lines along some translation, so many times as wide as the draw's box."""
     motion = mechanism.motion
     names = list(random.permutation(motion.translations))
     if turning and motion.turns:
         names.insert(0, str(random.choice(motion.turns)))
     columns = [motion.coordinates.index(name) for name in names]
-    wide = 4.0 * (draw.most - draw.least)
+    wide = size * (draw.most - draw.least)
     middle = 0.5 * (draw.most + draw.least) + 0.05 * wide * random.uniform(-1, 1, wide.size)
-    counts = [5] * (len(names) - 1) + [61]
+    counts = [5, 5, lines, 61][-len(names) :]
     axes = tuple(
         Axis(name, middle[c] - 0.5 * wide[c], middle[c] + 0.5 * wide[c], wide[c] / (count - 0.5))
         for name, c, count in zip(names, columns, counts, strict=True)
@@ -79,6 +86,51 @@ def test_lines_and_nodes_agree(name: str, turning: bool) -> None:
         by_nodes = scan(mechanism, conditions, grid, kept, 0, grid.size, by_lines=False)
         assert same(by_lines, by_nodes)
         assert by_lines.fields["actuators"].tobytes() == by_nodes.fields["actuators"].tobytes()
+
+
+@pytest.mark.parametrize("drive", [CRANK, RAIL])
+def test_rows_of_lines_just_within_a_legs_reach_are_what_their_nodes_are(drive: int) -> None:
+    random = np.random.default_rng(29)
+    met = 0
+    for _ in range(12):
+        axis = random.normal(size=3) * random.choice([0.0, 1.0, 1.0], size=3)
+        axis = axis if axis.any() else np.array([0.0, 0.0, 1.0])
+        across = np.cross(axis, random.normal(size=3))
+        crank, rod = random.uniform(0.2, 1.0, 2)
+        base, point = random.uniform(-0.3, 0.3, (2, 3))
+        legs = [Leg(drive, base, point, axis, across, crank, rod)]
+        legs += [Leg(STRUT, np.full(3, 9.0 + k), np.zeros(3)) for k in range(2)]
+        free = np.tile([-np.inf, np.inf], (3, 1))
+        mechanism = Mechanism(TRANSLATION, gather(legs, free, np.ones(3)))
+        u, v, j = random.permutation(3)
+        begin, step = random.uniform(-1.0, 1.0), 10.0 ** random.uniform(-4.0, -1.5)
+        rows = Axis("xyz"[u], begin, begin + 39.0 * step, step), Axis("xyz"[j], -4.0, 4.0, 0.02)
+
+        def found(offset: float, *, by_lines: bool) -> Scan:
+            fixed = np.zeros(3)
+            fixed[v] = offset  # noqa: B023  (called in this turn of the loop only)
+            grid = Grid(rows, (u, j), fixed)  # noqa: B023
+            conditions = [Reach(mechanism)]  # noqa: B023
+            return scan(mechanism, conditions, grid, {}, 0, grid.size, by_lines=by_lines)  # noqa: B023
+
+        within = [
+            offset
+            for offset in np.linspace(-2.5, 2.5, 26)
+            if (found(offset, by_lines=False).codes == 0).any()
+        ]
+        if not within:
+            continue
+        met += 1
+        inside, outside = within[-1], 9.0
+        for _ in range(40):
+            middle = 0.5 * (inside + outside)
+            if (found(middle, by_lines=False).codes == 0).any():
+                inside = middle
+            else:
+                outside = middle
+        for offset in (inside, outside, inside - 1e-7, outside + 1e-5, 5.0):
+            assert same(found(offset, by_lines=True), found(offset, by_lines=False))
+    assert met >= 6
 
 
 @pytest.mark.parametrize("name", ["delta_linear", "gough_stewart", "planar_3rrr", "hexa_rotary"])
