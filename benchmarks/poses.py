@@ -83,10 +83,12 @@ def efforts(name: str, mechanism: Mechanism, rows: Floats) -> None:
     load = Load(10.0, 2.0)
     starts = range(0, len(rows), POSES_PER_BLOCK)
     blocks = [np.ascontiguousarray(poses[:, a : a + POSES_PER_BLOCK]) for a in starts]
-    compare(
-        name,
-        lambda: [effort.worst_efforts(Configuration(mechanism, block), load) for block in blocks],
-        len(rows),
-        "numpy.linalg.inv + norms, J given",
-        lambda: rivals.worst_efforts(matrices, 10.0, 2.0, split),
-    )
+
+    def ours() -> list[Floats]:
+        return [effort.worst_efforts(Configuration(mechanism, block), load) for block in blocks]
+
+    def theirs() -> Floats:
+        return rivals.worst_efforts(matrices, 10.0, 2.0, split)
+
+    np.testing.assert_allclose(np.concatenate(ours(), axis=1), theirs().T, rtol=1e-6)
+    compare(name, ours, len(rows), "numpy.linalg.inv + norms, J given", theirs)

@@ -1,6 +1,5 @@
 """Workspaces, a node of their grids, against NumPy over the whole grid."""
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -33,13 +32,22 @@ def scan_of_reach() -> None:
     grid = Grid(axes, (0, 1), np.zeros(3))
     base, platform = mechanism.legs.base_point[:, :2], mechanism.legs.platform_point[:, :2]
     x, y = (axis.nodes for axis in axes)
-    compare(
-        "3-RRR reach by lines, a node",
-        lambda: scan(mechanism, [Reach(mechanism)], grid, {}, 0, grid.size),
-        grid.size,
-        "NumPy, annuli",
-        lambda: rivals.reach_grid(base, platform, 0.0, 0.36, x, y),
-    )
+
+    def ours() -> Scan:
+        return scan(mechanism, [Reach(mechanism)], grid, {}, 0, grid.size)
+
+    def theirs() -> NDArray[np.bool_]:
+        return rivals.reach_grid(base, platform, 0.0, 0.36, x, y)
+
+    _agree("reach", ours(), theirs())
+    compare("3-RRR reach by lines, a node", ours, grid.size, "NumPy, annuli", theirs)
+
+
+def _agree(name: str, found: Scan, expected: NDArray[np.bool_], most: int = 3) -> None:
+    """Raise AssertionError if more nodes differ than rounding explains, or what is looked for."""
+    inside = np.repeat(found.codes == 0, found.lengths)
+    differing = np.count_nonzero(inside != expected.ravel())
+    assert differing <= most, f"{name}: {differing} nodes differ"
 
 
 def rails() -> None:
@@ -62,23 +70,18 @@ def rails() -> None:
 
     coarse, fine = grid(211), grid(421)
     nodes = [axis.nodes for axis in coarse.axes]
-    expected = rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes)
-    found = scan(mechanism, conditions, coarse, {}, 0, coarse.size)
-    inside = np.repeat(found.codes == 0, found.lengths)
-    assert np.count_nonzero(inside != expected.ravel()) <= 3, "rails: more than rounding differs"
 
-    def ours(of: Grid) -> Callable[[], object]:
-        return lambda: scan(mechanism, conditions, of, {}, 0, of.size)
+    def ours(of: Grid) -> Scan:
+        return scan(mechanism, conditions, of, {}, 0, of.size)
 
-    name = "three rails, limits, by lines, a node"
-    compare(
-        name,
-        ours(coarse),
-        coarse.size,
-        "NumPy, slabs of 211 x 211",
-        lambda: rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes),
-    )
-    compare("the same, the whole grid", ours(coarse), 1, "the same at half the step", ours(fine))
+    def theirs() -> NDArray[np.bool_]:
+        return rivals.rails_grid(offsets, 0.37, -0.1, 0.35, *nodes)
+
+    _agree("rails", ours(coarse), theirs())
+    name, rival = "three rails, limits, by lines, a node", "NumPy, slabs of 211 x 211"
+    compare(name, partial(ours, coarse), coarse.size, rival, theirs)
+    name, rival = "the same, the whole grid", "the same at half the step"
+    compare(name, partial(ours, coarse), 1, rival, partial(ours, fine))
 
 
 def above_base(count: int) -> Grid:
@@ -95,13 +98,16 @@ def struts() -> None:
     conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
     centres = mechanism.legs.base_point - mechanism.legs.platform_point
     nodes = [axis.nodes for axis in grid.axes]
-    compare(
-        "6-SPS, limits, by lines, a node",
-        lambda: scan(mechanism, conditions, grid, {}, 0, grid.size),
-        grid.size,
-        "NumPy, slabs of 200 x 200",
-        lambda: rivals.struts_grid(centres, SHORTEST, LONGEST, *nodes),
-    )
+
+    def ours() -> Scan:
+        return scan(mechanism, conditions, grid, {}, 0, grid.size)
+
+    def theirs() -> NDArray[np.bool_]:
+        return rivals.struts_grid(centres, SHORTEST, LONGEST, *nodes)
+
+    _agree("struts", ours(), theirs())
+    name = "6-SPS, limits, by lines, a node"
+    compare(name, ours, grid.size, "NumPy, slabs of 200 x 200", theirs)
 
 
 def orientations() -> None:
@@ -130,10 +136,8 @@ def orientations() -> None:
         return rivals.sampled_orientations(base, platform, 0.36, x, y, 360, every=every)
 
     for name, every in (("3-RRR maximal, a node", False), ("3-RRR full, a node", True)):
-        found, expected = ours(every), sampled(every)
-        inside = np.repeat(found.codes == 0, found.lengths)
-        differing = np.count_nonzero(inside != expected.ravel())
-        assert differing < 200, f"{name}: sampling differs at {differing} nodes"
+        # Among 361 201 nodes, sampling misses some that hold between two of its angles.
+        _agree(name, ours(every), sampled(every), most=200)
         compare(
             name,
             partial(ours, every),
