@@ -54,13 +54,14 @@ def walk_lines(
 
 
 def greatest_length(mechanism: Mechanism, grid: Grid) -> float:
-    """Return the greatest length that the leg equations meet. [m]"""
-    legs = mechanism.legs
-    ends = np.array([(axis.minimum, axis.maximum) for axis in grid.axes])
-    sliding = legs.drive != CRANK
+    """Return the greatest length that the leg equations meet, at whatever angles. [m]"""
+    legs, translations = mechanism.legs, mechanism.motion.translations
+    axes = [axis for axis in grid.axes if axis.coordinate in translations]
+    ends = np.array([(axis.minimum, axis.maximum) for axis in axes])
+    sliding, moved = legs.drive != CRANK, grid.fixed[: len(translations)]
     lengths: list[Floats] = [
         *(legs.base_point, legs.platform_point, legs.rod_length, legs.crank_length),
-        *(legs.lower_limit[sliding], legs.upper_limit[sliding], grid.fixed, ends),
+        *(legs.lower_limit[sliding], legs.upper_limit[sliding], moved, ends),
     ]
     met = np.concatenate([values.ravel() for values in lengths])
     return float(np.max(np.abs(met[np.isfinite(met)]), initial=0.0))

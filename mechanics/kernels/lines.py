@@ -99,12 +99,7 @@ def walk(
                 parts, line, places, scratch.whole, cuts, asked, used, at, stack, runs, written
             )
         told = end
-    lengths = np.empty(written, np.int64)
-    for run in range(written - 1):
-        lengths[run] = runs.starts[run + 1] - runs.starts[run]
-    if written > 0:
-        lengths[written - 1] = told - runs.starts[written - 1]
-    return runs.codes[:written].copy(), lengths, told
+    return runs.codes[:written].copy(), _lengths(runs.starts, written, told), told
 
 
 @inlined
@@ -170,6 +165,17 @@ def _cut_all(
         for q in range(known, count):
             asked[q] = p
     return count
+
+
+@inlined
+def _lengths(starts: Integers, written: int, told: int) -> Integers:
+    """Return how many nodes each run has, the last of which ends before node `told`."""
+    lengths = np.empty(written, np.int64)
+    for run in range(written - 1):
+        lengths[run] = starts[run + 1] - starts[run]
+    if written > 0:
+        lengths[written - 1] = told - starts[written - 1]
+    return lengths
 
 
 @inlined
@@ -281,11 +287,7 @@ def _by_nodes(
     former = -1
     for node in range(end - 1, begin - 1, -1):
         t = line.minimum + node * line.step
-        at = (
-            t if line.j == 0 else p[0],
-            t if line.j == 1 else p[1],
-            t if line.j == 2 else p[2],
-        )
+        at = t if line.j == 0 else p[0], t if line.j == 1 else p[1], t if line.j == 2 else p[2]
         mark = 0 if holds(test, drive, leg, span(leg, at, rho)) else code
         if mark != former:
             top += 1

@@ -2,11 +2,13 @@
 
 import json
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
 
 from analyses.mechanisms import build
+from mechanics.arrays import Bytes, Integers
 from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
 from mechanics.conditions.crank_rod_angle import CrankRodAngle, legs_with_elbows
@@ -14,6 +16,7 @@ from mechanics.conditions.reach import Reach
 from mechanics.configuration import Configuration
 from mechanics.fields import actuators
 from mechanics.grid import Axis, Grid
+from mechanics.kernels.lines import walk
 from mechanics.legs import CRANK, RAIL, STRUT, Leg, gather
 from mechanics.lines import provable
 from mechanics.mechanism import Mechanism
@@ -86,6 +89,20 @@ def test_lines_and_nodes_agree(name: str, turning: bool) -> None:
         by_nodes = scan(mechanism, conditions, grid, kept, 0, grid.size, by_lines=False)
         assert same(by_lines, by_nodes)
         assert by_lines.fields["actuators"].tobytes() == by_nodes.fields["actuators"].tobytes()
+
+
+@pytest.mark.parametrize("name", TRANSLATING)
+def test_grids_far_wider_than_legs_are_what_their_nodes_are(name: str) -> None:
+    """Whole rows, next to each other in a block of lines, are out of the first leg's reach."""
+    random = np.random.default_rng(43)
+    for size in (2.0, 8.0, 30.0):
+        draw = DRAWS[name](random)
+        mechanism = limited(draw, random)
+        grid = grid_about(draw, mechanism, random, turning=False, size=size, lines=33)
+        for conditions in ([Reach(mechanism), ActuatorLimits(mechanism)], [Reach(mechanism)]):
+            by_lines = scan(mechanism, conditions, grid, {}, 0, grid.size)
+            by_nodes = scan(mechanism, conditions, grid, {}, 0, grid.size, by_lines=False)
+            assert same(by_lines, by_nodes)
 
 
 @pytest.mark.parametrize("drive", [CRANK, RAIL])
@@ -338,6 +355,33 @@ def test_long_scans_from_within_a_line() -> None:
         for way in (True, False)
     ]
     assert same(*found)
+
+
+def test_lines_of_many_runs_are_walked_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Spheres within each other leave a dozen runs a line, far more than there is room for."""
+    centres = np.random.default_rng(7).normal(0.0, 0.02, (6, 3))
+    stops = np.array([(0.0, 1.0 - 0.13 * k) for k in range(6)])
+    legs = gather([Leg(STRUT, centre, np.zeros(3)) for centre in centres], stops, np.ones(6))
+    mechanism = Mechanism(SPATIAL, legs)
+    across, along = (Axis(c, -0.2, 0.2, 0.01) for c in "xy"), Axis("z", -1.2, 1.2, 0.06)
+    grid = Grid((*across, along), (0, 1, 2), np.zeros(6))
+    ends: list[int] = []
+
+    def followed(*given: Any) -> tuple[Bytes, Integers, int]:  # noqa: ANN401
+        found = walk(*given)
+        ends.append(found[2])
+        return found
+
+    monkeypatch.setattr("mechanics.lines.walk", followed)
+    conditions = [Reach(mechanism), ActuatorLimits(mechanism)]
+    for start, stop in ((0, grid.size), (17, grid.size - 23)):
+        by_nodes = scan(mechanism, conditions, grid, {}, start, stop, by_lines=False)
+        ends.clear()
+        by_lines = scan(mechanism, conditions, grid, {}, start, stop)
+        assert same(by_lines, by_nodes)
+        assert len(ends) > 2
+        assert ends == sorted(set(ends))
+        assert ends[-1] == stop
 
 
 def test_the_finest_lines_are_left_to_nodes() -> None:

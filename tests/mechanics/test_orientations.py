@@ -8,8 +8,11 @@ import pytest
 
 from mechanics.arrays import Bytes, Floats
 from mechanics.conditions.condition import Condition
+from mechanics.conditions.reach import Reach
 from mechanics.grid import Axis, Grid
+from mechanics.legs import CRANK, Leg, gather
 from mechanics.mechanism import Mechanism
+from mechanics.motions import PLANAR
 from mechanics.orientations import Orientations, scan_orientations
 from mechanics.workspace import Scan, ranks_of
 from tests.mechanics.test_sweeps import SPATIAL, conditions_of, limited, turned
@@ -94,3 +97,22 @@ def test_orientations_together_say_what_each_alone_says(
             np.testing.assert_allclose(sizes[inside], free[inside], rtol=1e-13)
     # A whole turn breaks the first stop nearly everywhere.
     assert every or np.unique(expected).size > 1
+
+
+@pytest.mark.parametrize("every", [False, True])
+def test_a_turn_of_more_radians_than_lengths_have_metres_is_no_length(every: bool) -> None:
+    """Lines finer by far than all lengths are walked at all orientations, or at none."""
+    ends = [([0.6, 0.0, 0.0], [0.2, 0.0, 0.0]), ([0.1, 0.1, 0.0], [0.0, 0.0, 0.0]),
+            ([0.6, 0.0, 0.0], [-0.2, 0.0, 0.0])]  # fmt: skip
+    axis, zero = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+    legs = [Leg(CRANK, np.array(A), np.array(c), axis, zero, 0.25, 0.25) for A, c in ends]
+    free = np.tile([-np.inf, np.inf], (3, 1))
+    mechanism = Mechanism(PLANAR, gather(legs, free, np.ones(3)))
+    grid = Grid((Axis("x", 0.0, 0.0002, 0.00002),), (0,), np.zeros(3))
+    around = Orientations(Grid((Axis("phi", 0.0, 3.14, 3.14),), (2,), np.zeros(3)), None, 3.14)
+    found = scan_orientations(
+        mechanism, [Reach(mechanism)], grid, around, 0, grid.size, every=every, measured=False
+    )
+    # The third leg fails at rest, the first one turned by half a turn.
+    assert found.codes.tolist() == [1]
+    assert found.lengths.tolist() == [11]
