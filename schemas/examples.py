@@ -170,7 +170,7 @@ _WORKSPACE = Example(
         "shape": [5, 3],
         "nodes": 15,
         "inside": 6,
-        "measure": {"value": 1.5, "unit": "m²", "error_bound": 0.875, "rigorous": False},
+        "measure": {"value": 1.5, "unit": "m²", "error_bound": 1.25, "rigorous": False},
         "bounds": _BOUNDS,
         "centroid": {"x": 0.0, "y": 0.25},
         "components": [
