@@ -178,8 +178,8 @@ _WORKSPACE = Example(
         ],
         "component_count": 1,
         "excluded": [
-            {"code": 1, "reason": "reach", "leg": 0, "nodes": 7},
-            {"code": 2, "reason": "reach", "leg": 1, "nodes": 2},
+            {"code": 1, "reason": "reach", "leg": 0, "other_leg": None, "nodes": 7},
+            {"code": 2, "reason": "reach", "leg": 1, "other_leg": None, "nodes": 2},
         ],
         "inscribed": None,
         "outer_bound": False,

@@ -341,11 +341,14 @@ class Component(Model):
 
 
 class Excluded(Model):
-    """How many nodes one condition excluded on one leg, of a pair of rods its first one's."""
+    """How many nodes one condition excluded on one leg, or on two of them together."""
 
     code: int = Field(description="What the grid's `reason` array says for these nodes.")
     reason: Reason
     leg: int | None = Field(description="Null where all legs together make the condition.")
+    other_leg: int | None = Field(
+        description="The other one of two whose rods come too near or make the angle; else null."
+    )
     nodes: int
 
 
