@@ -246,13 +246,14 @@ def _excluded(
     counts = region.nodes_by_code()
     code = component_code(setup)
     apart = Excluded.model_construct(
-        code=code, reason="component", leg=None, nodes=int(counts[code])
+        code=code, reason="component", leg=None, other_leg=None, nodes=int(counts[code])
     )
     conditions = [
         Excluded.model_construct(
             code=entry.code,
             reason=entry.reason,
             leg=None if entry.leg == NO_LEG else entry.leg,
+            other_leg=entry.partner,
             nodes=int(counts[entry.code]),
         )
         for entry in reason_codes(setup.conditions)

@@ -25,6 +25,8 @@ def geometric_errors(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[t
     if request.working_mode == "any":
         return [("/working_mode", "the geometric method needs one")]
     motion = setup.mechanism.motion
+    if not motion.translations:
+        return [("/method", "geometric is over translations; this platform only turns")]
     plane = set(motion.translations) == set(PLANAR)
     if request.type != "constant_orientation" and (request.type != "maximal" or not plane):
         told = "of constant_orientation, and in the plane of maximal"

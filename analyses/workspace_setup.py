@@ -22,6 +22,7 @@ from mechanics import fields as kept
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
+from mechanics.motions import Motion
 from mechanics.orientations import Orientations
 from schemas.workspace import WorkspaceRequest
 
@@ -104,15 +105,14 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
     allowed = ", ".join(motion.coordinates)
     errors = []
     seen: set[str] = set()
-    # The place of a platform that only turns is where it points.
-    turning = request.type == "orientation" or not motion.translations
+    misplaced = _misplaced(request, motion)
     for k, axis in enumerate(request.grid):
         place = f"/grid/{k}/coordinate"
         if axis.coordinate not in motion.coordinates:
             errors.append((place, f"given {axis.coordinate!r}; allowed: {allowed}"))
         elif axis.coordinate in seen:
             errors.append((place, f"{axis.coordinate!r} has an axis already"))
-        elif (axis.coordinate in motion.turns) != turning:
+        elif axis.coordinate in misplaced:
             does = "turns" if axis.coordinate in motion.turns else "moves"
             detail = f"{axis.coordinate!r} {does} the platform, and the type is {request.type}"
             errors.append((place, detail))
@@ -130,6 +130,18 @@ def _coordinate_errors(request: WorkspaceRequest, mechanism: Mechanism) -> list[
         for name in missing
     ]
     return errors
+
+
+def _misplaced(request: WorkspaceRequest, motion: Motion) -> tuple[str, ...]:
+    """Return the coordinates that a request's type cannot have on the grid."""
+    if not motion.translations:
+        # The place of a platform that only turns is where it points.
+        return ()
+    if request.type != "orientation":
+        return motion.turns
+    # With a turn beside them positions make a slice, whose every node is one pose.
+    turned = any(axis.coordinate in motion.turns for axis in request.grid)
+    return () if turned else motion.translations
 
 
 def _size_errors(

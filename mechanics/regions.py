@@ -72,10 +72,25 @@ class Region:
         """How far off the measure may be, if nothing lies between the nodes unseen.
 
         A flat boundary cuts as many cells as there are pairs of neighbours on its two sides,
-        and each of them is counted wrongly by half a cell at most. What is thinner than a step
-        is not seen, so this bounds the error of smooth regions but proves nothing.
+        and each of them is counted wrongly by half a cell at most. So are those at the grid's
+        ends, beyond which nothing is known, and which may be meant to end at their nodes. What is
+        thinner than a step is not seen, so this bounds the error of smooth regions but proves
+        nothing.
         """
-        return 0.5 * kernels.faces(*self._inside, self._shape) * self.grid.cell
+        faces = kernels.faces(*self._inside, self._shape) + self._faces_at_ends()
+        return 0.5 * faces * self.grid.cell
+
+    def _faces_at_ends(self) -> int:
+        """Return how many faces the cells inside have at the grid's own ends."""
+        starts, stops = self._inside
+        stride = self.grid.shape[-1]
+        faces = int(np.sum(starts % stride == 0) + np.sum(stops % stride == 0))
+        for count in self.grid.shape[-2::-1]:
+            index = starts // stride % count
+            ends = (index == 0).astype(np.int64) + (index == count - 1)
+            faces += int(np.sum((stops - starts) * ends))
+            stride *= count
+        return faces
 
     @cached_property
     def components(self) -> list[Component]:

@@ -24,17 +24,24 @@ BLOCK = 4096
 
 @dataclass(frozen=True)
 class Excluded:
-    """What a reason code means: the condition and the leg that it failed on."""
+    """What a reason code means: the condition and the leg, or two, that it failed on."""
 
     code: int
     reason: str
     leg: int
+    partner: int | None
 
 
 def reason_codes(conditions: Sequence[Condition]) -> list[Excluded]:
     """Return the meaning of every code, conditions in their order, their parts within."""
-    parts = [(condition.reason, leg) for condition in conditions for leg in condition.legs]
-    return [Excluded(code, reason, leg) for code, (reason, leg) in enumerate(parts, start=1)]
+    parts = [
+        (condition.reason, leg, partner)
+        for condition in conditions
+        for leg, partner in zip(
+            condition.legs, condition.partners or [None] * len(condition.legs), strict=True
+        )
+    ]
+    return [Excluded(code, *part) for code, part in enumerate(parts, start=1)]
 
 
 def ranks_of(conditions: Sequence[Condition]) -> Floats:

@@ -170,7 +170,7 @@ _WORKSPACE = Example(
         "shape": [5, 3],
         "nodes": 15,
         "inside": 6,
-        "measure": {"value": 1.5, "unit": "m²", "error_bound": 0.875, "rigorous": False},
+        "measure": {"value": 1.5, "unit": "m²", "error_bound": 1.25, "rigorous": False},
         "bounds": _BOUNDS,
         "centroid": {"x": 0.0, "y": 0.25},
         "components": [
@@ -178,8 +178,8 @@ _WORKSPACE = Example(
         ],
         "component_count": 1,
         "excluded": [
-            {"code": 1, "reason": "reach", "leg": 0, "nodes": 7},
-            {"code": 2, "reason": "reach", "leg": 1, "nodes": 2},
+            {"code": 1, "reason": "reach", "leg": 0, "other_leg": None, "nodes": 7},
+            {"code": 2, "reason": "reach", "leg": 1, "other_leg": None, "nodes": 2},
         ],
         "inscribed": None,
         "outer_bound": False,

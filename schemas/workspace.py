@@ -195,12 +195,13 @@ class WorkspaceRequest(Model):
     one body serves all three, and are not applied.
 
     `type` says at which orientations the conditions must hold together: constant_orientation at
-    the one in `fixed`; orientation: these are on the grid, and the position is fixed; maximal at
-    some, full at every one; inclusive_orientation at some, orientation_range at every one of
-    `orientation_range`. Of one turn all angles count; of three, all angles of the last, if only
-    reach, actuator limits and angles between crank and rod are asked, with a grid of the others,
-    else a grid of all three, which the result tells. The position of a spherical mechanism is
-    where its platform's z axis points, and its one turn is the `spin` about that.
+    the one in `fixed`; orientation: these are on the grid, and the position is fixed, or on the
+    grid too, as in any slice through the space of poses; maximal at some, full at every one;
+    inclusive_orientation at some, orientation_range at every one of `orientation_range`. Of one
+    turn all angles count; of three, all angles of the last, if only reach, actuator limits and
+    angles between crank and rod are asked, with a grid of the others, else a grid of all three,
+    which the result tells. The position of a spherical mechanism is where its platform's z axis
+    points, and its one turn is the `spin` about that.
     """
 
     analysis: Literal["workspace"]
@@ -340,11 +341,14 @@ class Component(Model):
 
 
 class Excluded(Model):
-    """How many nodes one condition excluded on one leg, of a pair of rods its first one's."""
+    """How many nodes one condition excluded on one leg, or on two of them together."""
 
     code: int = Field(description="What the grid's `reason` array says for these nodes.")
     reason: Reason
     leg: int | None = Field(description="Null where all legs together make the condition.")
+    other_leg: int | None = Field(
+        description="The other one of two whose rods come too near or make the angle; else null."
+    )
     nodes: int
 
 

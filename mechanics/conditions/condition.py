@@ -38,6 +38,8 @@ class Condition(ABC):
 
     reason: str
     legs: tuple[int, ...]
+    partners: tuple[int, ...] | None = None
+    """The other leg of each part, of conditions between two legs."""
     line_tests: tuple[int, ...] | None = None
     """The test of each part that decides it along whole lines, if there are."""
     turn_tests: tuple[TurnTest, ...] | None = None

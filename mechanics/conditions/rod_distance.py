@@ -40,6 +40,7 @@ class RodDistance(Condition):
     def __init__(self, mechanism: Mechanism, limit: float) -> None:
         pairs = separate_rods(mechanism)
         self.legs = tuple(i for i, _ in pairs)
+        self.partners = tuple(j for _, j in pairs)
         self._first = np.array([i for i, _ in pairs], dtype=np.int64)
         self._second = np.array([j for _, j in pairs], dtype=np.int64)
         self._struts = (mechanism.legs.drive == STRUT)[:, None, None]

@@ -31,6 +31,7 @@ class RodRodAngle(Condition):
     def __init__(self, mechanism: Mechanism, lower: float, upper: float) -> None:
         pairs = rods_at_shared_joints(mechanism)
         self.legs = tuple(i for i, _ in pairs)
+        self.partners = tuple(j for _, j in pairs)
         self._first = [i for i, _ in pairs]
         self._second = [j for _, j in pairs]
         self._lower = lower

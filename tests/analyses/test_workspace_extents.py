@@ -10,6 +10,7 @@ import pytest
 
 import analyses
 from schemas.analyses import parse_request
+from schemas.starters import STARTERS
 
 RRR = {
     "kind": "planar_3rrr",
@@ -127,6 +128,13 @@ def test_the_geometric_method_says_what_it_cannot_do() -> None:
     )
     assert limits[0][0] == "/method"
     assert "leg 0" in limits[0][1]
+
+
+def test_the_geometric_method_is_not_of_platforms_that_only_turn() -> None:
+    wire = STARTERS["spherical_3rrr"].model_dump(exclude_none=True)
+    grid = axes(("rx", "ry"), -0.5, 0.5, 0.25)
+    told = refused(mechanism=wire, grid=grid, fixed={"rz": 0.0}, method="geometric")
+    assert told == [("/method", "geometric is over translations; this platform only turns")]
 
 
 def test_inscribed_shapes_lie_within_the_exact_annuli() -> None:

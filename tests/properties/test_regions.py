@@ -2,6 +2,7 @@
 
 import numpy as np
 import numpy.typing as npt
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
@@ -93,13 +94,29 @@ def test_measure_is_a_cell_for_every_node(codes: Codes) -> None:
 
 @MANY
 @given(MASKS, CUTS)
-def test_error_is_half_a_cell_for_every_pair_across_the_border(
-    codes: Codes, cuts: set[int]
-) -> None:
-    inside = codes == 0
-    pairs = sum(int(np.sum(np.diff(inside, axis=axis))) for axis in range(codes.ndim))
+def test_error_is_half_a_cell_for_every_face_of_the_border(codes: Codes, cuts: set[int]) -> None:
+    """The border is that to nodes outside, and the grid's own ends."""
+    inside = np.pad(codes == 0, 1)
+    faces = sum(int(np.sum(np.diff(inside, axis=axis))) for axis in range(codes.ndim))
     cell = np.prod(STEPS[: codes.ndim])
-    assert region(codes, cuts).measure_error >= pairs * cell / 2 * (1 - 1e-12)
+    assert region(codes, cuts).measure_error == pytest.approx(faces * cell / 2, rel=1e-12)
+
+
+@MANY
+@given(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4), st.floats(0.3, 1.3))
+def test_a_disc_cut_by_the_grid_is_within_the_error(x: float, y: float, radius: float) -> None:
+    """Whether the part within the outermost nodes is meant, or that within their cells."""
+    count, step = 21, 0.05
+    along = np.linspace(-0.5, 0.5, count)
+    far = np.hypot(along[:, None] - x, along[None] - y) > radius
+    axes = tuple(Axis(name, -0.5, 0.5, step) for name in "xy")
+    cut = Region(Grid(axes, (0, 1), np.zeros(2)), *runs(far.astype(np.uint8), set()))
+    for half in (0.5, 0.5 + 0.5 * step):
+        fine = half * (np.arange(-200, 200) + 0.5) / 200.0
+        within = np.hypot(fine[:, None] - x, fine[None] - y) <= radius
+        exact = np.mean(within) * (2.0 * half) ** 2
+        unsure = 2.0 * np.pi * radius * half / 200.0  # Of the sum by small squares.
+        assert abs(cut.measure - exact) <= cut.measure_error + unsure
 
 
 @MANY

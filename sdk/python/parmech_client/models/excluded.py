@@ -12,18 +12,20 @@ T = TypeVar("T", bound="Excluded")
 
 @_attrs_define
 class Excluded:
-    """How many nodes one condition excluded on one leg, of a pair of rods its first one's.
+    """How many nodes one condition excluded on one leg, or on two of them together.
 
     Attributes:
         code (int): What the grid's `reason` array says for these nodes.
         leg (int | None): Null where all legs together make the condition.
         nodes (int):
+        other_leg (int | None): The other one of two whose rods come too near or make the angle; else null.
         reason (ExcludedReason):
     """
 
     code: int
     leg: int | None
     nodes: int
+    other_leg: int | None
     reason: ExcludedReason
 
     def to_dict(self) -> dict[str, Any]:
@@ -34,6 +36,9 @@ class Excluded:
 
         nodes = self.nodes
 
+        other_leg: int | None
+        other_leg = self.other_leg
+
         reason: str = self.reason
 
         field_dict: dict[str, Any] = {}
@@ -43,6 +48,7 @@ class Excluded:
                 "code": code,
                 "leg": leg,
                 "nodes": nodes,
+                "other_leg": other_leg,
                 "reason": reason,
             }
         )
@@ -63,12 +69,20 @@ class Excluded:
 
         nodes = d.pop("nodes")
 
+        def _parse_other_leg(data: object) -> int | None:
+            if data is None:
+                return data
+            return cast(int | None, data)
+
+        other_leg = _parse_other_leg(d.pop("other_leg"))
+
         reason = check_excluded_reason(d.pop("reason"))
 
         excluded = cls(
             code=code,
             leg=leg,
             nodes=nodes,
+            other_leg=other_leg,
             reason=reason,
         )
 

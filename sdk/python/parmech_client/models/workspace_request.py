@@ -50,12 +50,13 @@ class WorkspaceRequest:
     one body serves all three, and are not applied.
 
     `type` says at which orientations the conditions must hold together: constant_orientation at
-    the one in `fixed`; orientation: these are on the grid, and the position is fixed; maximal at
-    some, full at every one; inclusive_orientation at some, orientation_range at every one of
-    `orientation_range`. Of one turn all angles count; of three, all angles of the last, if only
-    reach, actuator limits and angles between crank and rod are asked, with a grid of the others,
-    else a grid of all three, which the result tells. The position of a spherical mechanism is
-    where its platform's z axis points, and its one turn is the `spin` about that.
+    the one in `fixed`; orientation: these are on the grid, and the position is fixed, or on the
+    grid too, as in any slice through the space of poses; maximal at some, full at every one;
+    inclusive_orientation at some, orientation_range at every one of `orientation_range`. Of one
+    turn all angles count; of three, all angles of the last, if only reach, actuator limits and
+    angles between crank and rod are asked, with a grid of the others, else a grid of all three,
+    which the result tells. The position of a spherical mechanism is where its platform's z axis
+    points, and its one turn is the `spin` about that.
 
         Attributes:
             analysis (Literal['workspace']):
