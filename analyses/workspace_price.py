@@ -1,21 +1,16 @@
 """What a workspace costs: measured on one core of a common machine, condition by condition."""
 
-from collections.abc import Callable
-from typing import TypeVar
-
 import numpy as np
 
-from analyses.workspace_orientations import EVERY, tries
-from analyses.workspace_setup import WorkspaceSetup
+from analyses.workspace_orientations import tries
+from analyses.workspace_setup import WorkspaceSetup, question_of
 from mechanics.inscribed import offers_box
 from mechanics.judging import asked_share
 from mechanics.legs import CRANK, STRUT
 from mechanics.lines import provable
-from mechanics.orientations import Orientations, all_round, foreseen, sampled_work
+from mechanics.orientations import Question, all_round, foreseen, sampled_work
 from mechanics.sweeps import swept
 from schemas.workspace import WorkspaceRequest
-
-W = TypeVar("W")
 
 SECONDS_PER_NODE = 1.5e-7
 SECONDS_PER_LEG = {
@@ -69,10 +64,10 @@ FIELD_WORK = {
 
 def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     """Return the cost of a node that meets every condition, at all its orientations. [s]"""
-    orientations = setup.orientations
-    if orientations is not None and all_round(setup.conditions, orientations):
-        return _seconds_all_round(request, setup, orientations)
-    decided, told = _told_together(request, setup)
+    question = question_of(request, setup, setup.mechanism)
+    if question is not None and all_round(setup.conditions, question.orientations):
+        return _seconds_all_round(setup, question)
+    decided, told = _told_together(setup, question)
     checked = [condition.reason for condition in setup.conditions[decided:]]
     # What a block keeps for its condition and its field alike is computed once.
     kept = {FIELD_WORK[name] for name in setup.fields if name in FIELD_WORK}
@@ -83,7 +78,7 @@ def seconds_per_node(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
     boxes = SECONDS_BY_BOXES if share < 1.0 else 0.0
     many = _looks(setup) * len(setup.mechanisms)
     tried = (boxes + share * (once + setup.mechanism.drive_count * asked)) * many
-    grids = 1 if orientations is None else orientations.grid.size
+    grids = 1 if question is None else question.orientations.grid.size
     return tried + told * grids * len(setup.mechanisms)
 
 
@@ -123,27 +118,15 @@ def seconds_inscribed(request: WorkspaceRequest, setup: WorkspaceSetup) -> float
     return setup.grid.size * SECONDS_INSCRIBED if sought else 0.0
 
 
-def _forecast(
-    ask: Callable[..., W],
-    request: WorkspaceRequest,
-    setup: WorkspaceSetup,
-    orientations: Orientations,
-) -> W:
-    """Return what a request's orientations are foreseen to take, asked in one way or another."""
-    tried = setup.mechanism, setup.conditions, setup.grid, orientations
-    return ask(*tried, every=request.type in EVERY, measured=bool(request.fields))
-
-
-def _told_together(request: WorkspaceRequest, setup: WorkspaceSetup) -> tuple[int, float]:
+def _told_together(setup: WorkspaceSetup, question: Question | None) -> tuple[int, float]:
     """Return how many leading conditions are told for many nodes at once, and their cost a node."""
-    orientations = setup.orientations
-    if orientations is None or orientations.turn is None:
+    if question is None or question.orientations.turn is None:
         decided = provable(setup.mechanism, setup.conditions, setup.grid)
         return decided, setup.mechanism.drive_count * decided * _seconds_by_lines(setup)
     decided = swept(setup.conditions)
     parts = [len(condition.legs) for condition in setup.conditions[:decided]]
     tests = sum(parts[:1]) + MET_LATER * sum(parts[1:])
-    work = _forecast(foreseen, request, setup, orientations)
+    work = foreseen(question)
     asked = SECONDS_ASLANT if _aslant(setup) else SECONDS_ALL_ROUND
     total = SECONDS_JUDGED * work.judged + asked * tests * work.asked
     return decided, SECONDS_TOLD + total / setup.grid.size
@@ -162,13 +145,11 @@ def _aslant(setup: WorkspaceSetup) -> bool:
     return driven and (setup.mechanism.motion.name != "planar" or swept(setup.conditions) > 1)
 
 
-def _seconds_all_round(
-    request: WorkspaceRequest, setup: WorkspaceSetup, orientations: Orientations
-) -> float:
+def _seconds_all_round(setup: WorkspaceSetup, question: Question) -> float:
     """Return the cost of a node at many orientations that are tried at once. [s]"""
-    work = _forecast(sampled_work, request, setup, orientations)
+    work = sampled_work(question)
     cut = SECONDS_CUT_ASLANT if _aslant(setup) else SECONDS_CUT
     tests = sum(len(condition.legs) for condition in setup.conditions)
-    times = tests * orientations.grid.size * len(setup.mechanisms)
+    times = tests * question.orientations.grid.size * len(setup.mechanisms)
     # Of nodes that the first orientations tell little but reading is left.
     return times * (SECONDS_WEIGHED * max(work.weighed, 0.01) + cut * work.cut)

@@ -10,7 +10,7 @@ from mechanics.arrays import Bytes, Floats
 from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
-from mechanics.orientations import Orientations, scan_orientations
+from mechanics.orientations import Orientations, Question, scan_orientations
 from mechanics.workspace import Scan, ranks_of
 from tests.mechanics.test_sweeps import SPATIAL, conditions_of, limited, turned
 from tests.oracles.draws import DRAWS
@@ -57,9 +57,8 @@ def one_by_one(
     for fixed in orientations.grid.poses(0, orientations.grid.size).T:
         alone = replace(orientations, grid=Grid((), (), fixed))
         turned = replace(grid, fixed=fixed)
-        found = scan_orientations(
-            mechanism, conditions, turned, alone, 0, grid.size, every=every, measured=True
-        )
+        question = Question(mechanism, conditions, turned, alone, every, measured=True)
+        found = scan_orientations(question, 0, grid.size)
         rows.append(dense(found))
     codes, free = (np.array(column) for column in zip(*rows, strict=True))
     if every:
@@ -84,9 +83,8 @@ def test_orientations_together_say_what_each_alone_says(
     grid, orientations = positions_of(draw.least, draw.most), around(mechanism, turn)
     expected, free = one_by_one(mechanism, conditions, grid, orientations, every=every)
     for measured in (False, True):
-        found = scan_orientations(
-            mechanism, conditions, grid, orientations, 0, grid.size, every=every, measured=measured
-        )
+        question = Question(mechanism, conditions, grid, orientations, every, measured)
+        found = scan_orientations(question, 0, grid.size)
         codes, sizes = dense(found)
         assert np.array_equal(codes, expected)
         if measured:
