@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -22,8 +21,6 @@ from mechanics.workspace import Scan, line_runs, ranks_of, scan
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""
-SAMPLED = (32, 512)
-"""Nodes and orientations that are tried to see what the rest will cost."""
 
 
 @dataclass(frozen=True)
@@ -47,16 +44,6 @@ class Orientations:
         """The turns that the range is of."""
         last = () if self.turn is None else (self.turn.coordinate,)
         return (*(axis.coordinate for axis in self.grid.axes), *last)
-
-
-class Work(NamedTuple):
-    """What pairs of node and orientation cost: which share is weighed, and of which arcs are cut.
-
-    `kernels.all_round` says what that means.
-    """
-
-    weighed: float
-    cut: float
 
 
 @dataclass(frozen=True)
@@ -103,41 +90,6 @@ def all_round(conditions: Sequence[Condition], orientations: Orientations) -> bo
     """Return whether many orientations are tried at once, each with all angles of a turn."""
     closed = swept(conditions) == len(conditions)
     return closed and orientations.turn is not None and bool(orientations.grid.axes)
-
-
-def sampled_work(question: Question) -> Work:
-    """Return what orientations tried at once will cost, from a few nodes of the grid."""
-    grid, turned, turn = question.grid, question.orientations.grid, question.orientations.turn
-    if turn is None:
-        return Work(1.0, 0.0)
-    nodes, tried = _spread(grid.size, SAMPLED[0]), _spread(turned.size, SAMPLED[1])
-    weighed, cut = try_all_round(
-        question.asked(turn),
-        turn.positions(grid.poses_at(nodes)),
-        turn.frames(turned.poses_at(tried)),
-        np.full(nodes.size, question.unseen, np.uint8),
-        np.zeros(nodes.size),
-        1,
-    )
-    pairs = nodes.size * tried.size
-    return Work(weighed / pairs, cut / pairs)
-
-
-def foreseen(question: Question) -> octree.Work:
-    """Return what one orientation takes, with all angles of a turn, from large boxes of nodes."""
-    turn, grid = question.orientations.turn, question.turned(0)
-    if turn is None:
-        return octree.Work(0.0, float(grid.size))
-    sweep = question.sweep(grid, turn)
-    return octree.foresee(question.mechanism.motion, grid, sweep.judge, sweep.fewest)
-
-
-def _spread(size: int, most: int) -> Integers:
-    """Return at most so many of `size` flat nodes, the same every time."""
-    if size <= most:
-        return np.arange(size)
-    # Whatever is evenly spaced may fall in step with the grid's lines.
-    return np.random.default_rng(0).integers(0, size, most)
 
 
 def scan_orientations(question: Question, start: int, stop: int, *, by_boxes: bool = True) -> Scan:
