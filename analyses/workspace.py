@@ -1,5 +1,6 @@
 """Workspace: where the platform can be, and why not elsewhere."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,16 @@ from analyses.units import coordinate_units, power_unit
 from analyses.workspace_fields import FieldSummaries, histograms
 from analyses.workspace_geometry import geometric_errors, geometric_extent, geometric_seconds
 from analyses.workspace_home import component_code, home_errors, of_component
-from analyses.workspace_orientations import EVERY, tried
+from analyses.workspace_orientations import tried
 from analyses.workspace_price import seconds_inscribed, seconds_per_node, seconds_per_tile
-from analyses.workspace_setup import WorkspaceSetup, check_request, field_units, set_up
+from analyses.workspace_setup import (
+    WorkspaceSetup,
+    axes_of,
+    check_request,
+    field_units,
+    question_of,
+    set_up,
+)
 from mechanics import inscribed, regions
 from mechanics.arrays import Floats
 from mechanics.conditions.condition import NO_LEG
@@ -53,11 +61,11 @@ class Workspace(Analysis[WorkspaceRequest]):
 
     def items(self, request: WorkspaceRequest) -> int:
         """Return the number of grid nodes."""
-        return set_up(request).grid.size
+        return math.prod(axis.count for axis in axes_of(request))
 
     def line(self, request: WorkspaceRequest) -> int:
         """Return the length of a grid line."""
-        return set_up(request).grid.shape[-1]
+        return axes_of(request)[-1].count
 
     def seconds_per_item(self, request: WorkspaceRequest) -> float:
         """Return the cost of a node that meets every condition. [s]"""
@@ -73,8 +81,9 @@ class Workspace(Analysis[WorkspaceRequest]):
     def seconds(self, request: WorkspaceRequest) -> float:
         """Return the cost of all nodes, and of what is added to them, however few they are. [s]"""
         setup = set_up(request)
+        nodes = setup.grid.size * seconds_per_node(request, setup)
         once = seconds_per_tile(setup) + geometric_seconds(request, setup)
-        return super().seconds(request) + once + seconds_inscribed(request, setup)
+        return nodes + once + seconds_inscribed(request, setup)
 
     def result_bytes(self, request: WorkspaceRequest) -> int:
         """Return the size of the dense arrays. [B]"""
@@ -126,18 +135,10 @@ def _scan(request: WorkspaceRequest, s: WorkspaceSetup, start: int, stop: int) -
 def _scan_mode(
     request: WorkspaceRequest, s: WorkspaceSetup, mechanism: Mechanism, start: int, stop: int
 ) -> Scan:
-    if s.orientations is None:
+    question = question_of(request, s, mechanism)
+    if question is None:
         return scan(mechanism, s.conditions, s.grid, s.fields, start, stop)
-    return scan_orientations(
-        mechanism,
-        s.conditions,
-        s.grid,
-        s.orientations,
-        start,
-        stop,
-        every=request.type in EVERY,
-        measured=bool(request.fields),
-    )
+    return scan_orientations(question, start, stop)
 
 
 def _mode(request: WorkspaceRequest, setup: WorkspaceSetup) -> list[int] | str:

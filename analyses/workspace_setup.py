@@ -1,7 +1,7 @@
 """From a workspace request to the grid, the conditions and the fields of `mechanics`."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, Context
 
@@ -12,6 +12,7 @@ from analyses.mechanisms import build
 from analyses.units import determinant_unit, drive_units, effort_units, power_unit, shared_unit
 from analyses.workspace_bounds import bound_errors, conditions_of, load_of
 from analyses.workspace_orientations import (
+    EVERY,
     MANY,
     free_turns,
     orientation_errors,
@@ -23,7 +24,7 @@ from mechanics.conditions.condition import Condition
 from mechanics.grid import Axis, Grid
 from mechanics.mechanism import Mechanism
 from mechanics.motions import Motion
-from mechanics.orientations import Orientations
+from mechanics.orientations import Orientations, Question
 from schemas.workspace import WorkspaceRequest
 
 MOST_ANGLES = 100_000
@@ -53,13 +54,34 @@ def set_up(request: WorkspaceRequest) -> WorkspaceSetup:
     mechanisms = in_modes(request)
     mechanism = mechanisms[0]
     coordinates = mechanism.motion.coordinates
-    axes = tuple(Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid)
+    axes = axes_of(request)
     columns = tuple(coordinates.index(axis.coordinate) for axis in axes)
     fixed = np.array([request.fixed.get(c, 0.0) for c in coordinates])
     grid = Grid(axes, columns, fixed)
     conditions = conditions_of(request, mechanism)
     orientations = orientations_of(request, mechanism, grid, conditions)
     return WorkspaceSetup(mechanisms, grid, conditions, fields_of(request), orientations)
+
+
+def axes_of(request: WorkspaceRequest) -> tuple[Axis, ...]:
+    """Return the axes of a request's grid."""
+    return tuple(Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid)
+
+
+def question_of(
+    request: WorkspaceRequest, setup: WorkspaceSetup, mechanism: Mechanism
+) -> Question | None:
+    """Return what is asked at many orientations of a mechanism in one of its working modes."""
+    if setup.orientations is None:
+        return None
+    return Question(
+        mechanism,
+        setup.conditions,
+        setup.grid,
+        setup.orientations,
+        every=request.type in EVERY,
+        measured=bool(request.fields),
+    )
 
 
 def in_modes(request: WorkspaceRequest) -> tuple[Mechanism, ...]:
@@ -147,7 +169,7 @@ def _misplaced(request: WorkspaceRequest, motion: Motion) -> tuple[str, ...]:
 def _size_errors(
     request: WorkspaceRequest, mechanism: Mechanism, node_limit: int
 ) -> list[tuple[str, str]]:
-    axes = [Axis(a.coordinate, a.min, a.max, a.step) for a in request.grid]
+    axes = axes_of(request)
     nodes = math.prod(axis.intervals + 1.0 for axis in axes)
     setup = set_up(request)
     modes = len(setup.mechanisms)
@@ -174,7 +196,7 @@ def _size_errors(
     ]
 
 
-def _coarsening(axes: list[Axis], node_limit: int) -> float:
+def _coarsening(axes: Sequence[Axis], node_limit: int) -> float:
     """Return the least factor, to a millionth, on all steps with which the grid fits."""
 
     def fits(factor: float) -> bool:

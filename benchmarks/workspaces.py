@@ -17,7 +17,7 @@ from mechanics.conditions.reach import Reach
 from mechanics.families.delta import delta_linear
 from mechanics.grid import Axis, Grid
 from mechanics.loads import Load
-from mechanics.orientations import Orientations, scan_orientations
+from mechanics.orientations import Orientations, Question, scan_orientations
 from mechanics.turns import Turn
 from mechanics.workspace import Scan, scan
 
@@ -121,16 +121,8 @@ def orientations() -> None:
     x, y = (axis.nodes for axis in axes)
 
     def ours(every: bool) -> Scan:
-        return scan_orientations(
-            mechanism,
-            [Reach(mechanism)],
-            grid,
-            around,
-            0,
-            grid.size,
-            every=every,
-            measured=False,
-        )
+        question = Question(mechanism, [Reach(mechanism)], grid, around, every, measured=False)
+        return scan_orientations(question, 0, grid.size)
 
     def sampled(every: bool) -> NDArray[np.bool_]:
         return rivals.sampled_orientations(base, platform, 0.36, x, y, 360, every=every)

@@ -88,6 +88,12 @@ class Samples:
         )
 
 
+def cells(arcs: Arcs, step: float) -> Integers:
+    """Return into how many parts each arc is cut, for angles at most a step apart."""
+    sizes = arcs.stops - arcs.starts
+    return np.maximum(LEAST_CELLS, np.ceil(sizes / step - 1e-9)).astype(np.int64)
+
+
 def sampled(arcs: Arcs, step: float) -> tuple[Integers, Floats]:
     """Return angles along arcs, with both ends and at most a step apart, and each one's arc.
 
@@ -96,12 +102,12 @@ def sampled(arcs: Arcs, step: float) -> tuple[Integers, Floats]:
     """
     trims = np.minimum(RESOLUTION, 0.25 * (arcs.stops - arcs.starts))
     starts, stops = arcs.starts + trims, arcs.stops - trims
-    cells = np.maximum(LEAST_CELLS, np.ceil((stops - starts) / step - 1e-9)).astype(np.int64)
-    numbers = np.repeat(np.arange(cells.size), cells + 1)
-    firsts = np.cumsum(cells + 1) - (cells + 1)
-    shares = (np.arange(numbers.size) - firsts[numbers]) / cells[numbers]
+    parts = cells(arcs, step)
+    numbers = np.repeat(np.arange(parts.size), parts + 1)
+    firsts = np.cumsum(parts + 1) - (parts + 1)
+    shares = (np.arange(numbers.size) - firsts[numbers]) / parts[numbers]
     angles = starts[numbers] + shares * (stops - starts)[numbers]
-    angles[firsts + cells] = stops
+    angles[firsts + parts] = stops
     return numbers, angles
 
 

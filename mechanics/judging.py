@@ -10,7 +10,7 @@ from mechanics.conditions.condition import Condition
 from mechanics.configuration import Configuration
 from mechanics.grid import Grid
 from mechanics.kernels.codes import INSIDE, UNSEEN
-from mechanics.lines import greatest_length, provable
+from mechanics.lines import greatest_length
 from mechanics.mechanism import Mechanism
 from mechanics.neighbourhoods import Neighbourhood, bounded
 from mechanics.octree import Reach, reach_of
@@ -89,21 +89,21 @@ def sparse(size: int, left: int) -> bool:
     return size > SPARSE * left
 
 
-def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid) -> float:
-    """Return which share of the nodes that lines leave boxes will leave too, from a few nodes.
+def asked_share(
+    mechanism: Mechanism, conditions: Sequence[Condition], grid: Grid, left: Floats
+) -> float:
+    """Return which share of the nodes that lines leave boxes will leave too, from a few of them.
 
     1 if no boxes will be judged; they are no larger than those tried here for long.
+
+    Parameters
+    ----------
+    conditions : those that lines do not tell.
+    left : array, shape (coordinates, nodes), poses of some of the nodes that lines leave.
     """
-    walked = provable(mechanism, conditions, grid)
-    rest = conditions[walked:]
-    if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
+    if not conditions or grid.size < WORTH_BOXES or not bounded(mechanism):
         return 1.0
-    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
-    block = Configuration(mechanism, grid.poses_at(nodes))
-    left = np.ones(nodes.size, bool)
-    for condition in conditions[:walked]:
-        left &= np.all(condition.check(block) >= 0.0, axis=0)
-    share = _untold_share(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
+    share = _untold_share(mechanism, conditions, grid, left)
     return share if share <= MOST_ASKED else 1.0
 
 

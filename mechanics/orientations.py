@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -22,8 +21,6 @@ from mechanics.workspace import Scan, line_runs, ranks_of, scan
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""
-SAMPLED = (32, 512)
-"""Nodes and orientations that are tried to see what the rest will cost."""
 
 
 @dataclass(frozen=True)
@@ -49,14 +46,44 @@ class Orientations:
         return (*(axis.coordinate for axis in self.grid.axes), *last)
 
 
-class Work(NamedTuple):
-    """What pairs of node and orientation cost: which share is weighed, and of which arcs are cut.
+@dataclass(frozen=True)
+class Question:
+    """What is asked of the nodes of a grid of positions at many orientations.
 
-    `kernels.all_round` says what that means.
+    Parameters
+    ----------
+    grid : positions; what its `fixed` says of turns does not matter.
+    every : whether conditions must hold at every orientation, not at some.
+    measured : whether the field `free_orientation` is kept, the size of the part of the range at
+        which the conditions hold. [rad to the number of turns]
     """
 
-    weighed: float
-    cut: float
+    mechanism: Mechanism
+    conditions: Sequence[Condition]
+    grid: Grid
+    orientations: Orientations
+    every: bool
+    measured: bool
+
+    def turned(self, orientation: int) -> Grid:
+        """Return the grid of the same positions at one orientation of the orientations' grid."""
+        tried = self.orientations.grid.poses(orientation, orientation + 1)
+        return replace(self.grid, fixed=tried[:, 0])
+
+    def sweep(self, grid: Grid, turn: Turn) -> Sweep:
+        """Return what is asked at one orientation and all angles of a turn."""
+        return Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
+
+    def asked(self, turn: Turn) -> Asked:
+        """Return what kernels are asked of pairs of a node and an orientation."""
+        ends, ranks = (turn.low, turn.high), ranks_of(self.conditions)
+        tests = tests_of(self.conditions)
+        return Asked(*tests, self.mechanism.legs, ends, self.every, self.measured, ranks)
+
+    @property
+    def unseen(self) -> int:
+        """The code of a node that no orientation was tried at."""
+        return INSIDE if self.every else UNSEEN
 
 
 def all_round(conditions: Sequence[Condition], orientations: Orientations) -> bool:
@@ -65,78 +92,7 @@ def all_round(conditions: Sequence[Condition], orientations: Orientations) -> bo
     return closed and orientations.turn is not None and bool(orientations.grid.axes)
 
 
-def sampled_work(
-    mechanism: Mechanism,
-    conditions: Sequence[Condition],
-    grid: Grid,
-    orientations: Orientations,
-    *,
-    every: bool,
-    measured: bool,
-) -> Work:
-    """Return what orientations that are tried at once will cost, from a few nodes of the grid."""
-    turn, turned = orientations.turn, orientations.grid
-    if turn is None:
-        return Work(1.0, 0.0)
-    nodes, tried = _spread(grid.size, SAMPLED[0]), _spread(turned.size, SAMPLED[1])
-    asked = _asked(mechanism, conditions, turn, every, measured)
-    weighed, cut = try_all_round(
-        asked,
-        turn.positions(grid.poses_at(nodes)),
-        turn.frames(turned.poses_at(tried)),
-        np.full(nodes.size, INSIDE if every else UNSEEN, np.uint8),
-        np.zeros(nodes.size),
-        1,
-    )
-    pairs = nodes.size * tried.size
-    return Work(weighed / pairs, cut / pairs)
-
-
-def foreseen(
-    mechanism: Mechanism,
-    conditions: Sequence[Condition],
-    grid: Grid,
-    orientations: Orientations,
-    *,
-    every: bool,
-    measured: bool,
-) -> octree.Work:
-    """Return what one orientation takes, with all angles of a turn, from large boxes of nodes."""
-    turn = orientations.turn
-    if turn is None:
-        return octree.Work(0.0, float(grid.size))
-    turned = replace(grid, fixed=orientations.grid.poses(0, 1)[:, 0])
-    sweep = Sweep(mechanism, conditions, turned, turn, every, measured)
-    return octree.foresee(mechanism.motion, turned, sweep.judge, sweep.fewest)
-
-
-def _spread(size: int, most: int) -> Integers:
-    """Return at most so many of `size` flat nodes, the same every time."""
-    if size <= most:
-        return np.arange(size)
-    # Whatever is evenly spaced may fall in step with the grid's lines.
-    return np.random.default_rng(0).integers(0, size, most)
-
-
-def _asked(
-    mechanism: Mechanism, conditions: Sequence[Condition], turn: Turn, every: bool, measured: bool
-) -> Asked:
-    ends, ranks = (turn.low, turn.high), ranks_of(conditions)
-    return Asked(*tests_of(conditions), mechanism.legs, ends, every, measured, ranks)
-
-
-def scan_orientations(
-    mechanism: Mechanism,
-    conditions: Sequence[Condition],
-    grid: Grid,
-    orientations: Orientations,
-    start: int,
-    stop: int,
-    *,
-    every: bool,
-    measured: bool,
-    by_boxes: bool = True,
-) -> Scan:
+def scan_orientations(question: Question, start: int, stop: int, *, by_boxes: bool = True) -> Scan:
     """Return which flat nodes `start` to `stop` belong at some, or at every, orientation.
 
     A node's code is 0 if all conditions hold together at some orientation, or at every one; else
@@ -145,28 +101,24 @@ def scan_orientations(
 
     Parameters
     ----------
-    grid : positions; what its `fixed` says of turns does not matter.
-    every : at every orientation, not at some.
-    measured : whether the field `free_orientation` is kept, the size of the part of the range at
-        which the conditions hold. [rad to the number of turns]
     by_boxes : whether nodes are told many at once where bounds allow it; else all of them one by
         one, with the same result.
     """
-    codes = np.full(stop - start, INSIDE if every else UNSEEN, np.uint8)
+    codes = np.full(stop - start, question.unseen, np.uint8)
     held = np.zeros(codes.size)
-    tried = _Tried(mechanism, conditions, grid, start, every, measured, codes, held, by_boxes)
+    tried = _Tried(question, start, codes, held, by_boxes)
+    orientations = question.orientations
     turn = orientations.turn
-    if turn is not None and all_round(conditions, orientations):
-        tried.all_round(turn, orientations.grid)
+    if turn is not None and all_round(question.conditions, orientations):
+        tried.all_round(turn)
     else:
         for o in range(orientations.grid.size):
-            turned = replace(grid, fixed=orientations.grid.poses(o, o + 1)[:, 0])
             if turn is None:
-                tried.by_lines(turned)
+                tried.by_lines(question.turned(o))
             else:
-                tried.by_arcs(turned, turn)
-    values, lengths = line_runs(codes, start, grid.shape[-1])
-    if not measured:
+                tried.by_arcs(question.turned(o), turn)
+    values, lengths = line_runs(codes, start, question.grid.shape[-1])
+    if not question.measured:
         return Scan(values, lengths, {})
     share = orientations.extent / orientations.grid.size
     return Scan(values, lengths, {"free_orientation": tried.held[codes == INSIDE] * share})
@@ -179,12 +131,8 @@ class _Tried:
     `codes`, and in how many orientations, or shares of their turns, all conditions held.
     """
 
-    mechanism: Mechanism
-    conditions: Sequence[Condition]
-    grid: Grid
+    question: Question
     start: int
-    every: bool
-    measured: bool
     codes: Bytes
     held: Floats
     by_boxes: bool
@@ -195,21 +143,21 @@ class _Tried:
 
     @cached_property
     def _ranks(self) -> Floats:
-        return ranks_of(self.conditions)
+        return ranks_of(self.question.conditions)
 
-    def all_round(self, turn: Turn, orientations: Grid) -> None:
-        """Try all orientations of a grid, each with all angles of a turn, by closed forms."""
-        positions = turn.positions(self.grid.poses(self.start, self._stop))
-        asked = _asked(self.mechanism, self.conditions, turn, self.every, self.measured)
+    def all_round(self, turn: Turn) -> None:
+        """Try all orientations, each with all angles of a turn, by closed forms."""
+        orientations, asked = self.question.orientations.grid, self.question.asked(turn)
+        positions = turn.positions(self.question.grid.poses(self.start, self._stop))
         for first in range(0, orientations.size, FRAMES):
             poses = orientations.poses(first, min(first + FRAMES, orientations.size))
             try_all_round(asked, positions, turn.frames(poses), self.codes, self.held, PAIRS)
 
     def by_lines(self, grid: Grid) -> None:
         """Try the one orientation of a grid of the same positions, along its lines."""
-        among = None if self.measured else self._open
+        among = None if self.question.measured else self._open
         found = scan(
-            *(self.mechanism, self.conditions, grid, {}, self.start, self._stop),
+            *(self.question.mechanism, self.question.conditions, grid, {}, self.start, self._stop),
             by_boxes=self.by_boxes,
             among=among,
         )
@@ -218,7 +166,7 @@ class _Tried:
 
     def by_arcs(self, grid: Grid, turn: Turn) -> None:
         """Try the one orientation of a grid of the same positions, at all angles of a turn."""
-        sweep = Sweep(self.mechanism, self.conditions, grid, turn, self.every, self.measured)
+        sweep = self.question.sweep(grid, turn)
         sizes, open_ = np.zeros(self.codes.size), self._undecided
 
         def ask(nodes: Integers) -> Bytes:
@@ -227,7 +175,7 @@ class _Tried:
 
         if self.by_boxes:
             fresh = octree.decide(
-                self.mechanism.motion,
+                self.question.mechanism.motion,
                 grid,
                 self.start,
                 self._stop,
@@ -237,26 +185,26 @@ class _Tried:
                 fewest=sweep.fewest,
             )
         else:
-            fresh = np.full(self.codes.size, INSIDE if self.every else UNSEEN, np.uint8)
+            fresh = np.full(self.codes.size, self.question.unseen, np.uint8)
             fresh[open_] = ask(self.start + np.flatnonzero(open_))
-        if self.every and self.measured:
+        if self.question.every and self.question.measured:
             # Of measured nodes whole boxes are inside only where all of the turn is.
             sizes[fresh == INSIDE] = 1.0
         self._put(fresh, sizes)
 
     def _put(self, fresh: Bytes, sizes: Floats) -> None:
         """Put in what fresh orientations say, and at which share of them all conditions held."""
-        if self.every:
+        if self.question.every:
             at_every(fresh, self.codes)
         else:
             at_some(fresh, self._ranks, self.codes)
-        if self.measured:
+        if self.question.measured:
             self.held[:] += sizes
 
     @property
     def _open(self) -> Booleans:
         """For which nodes the conditions that lines do not tell can still change anything."""
-        if self.every:
+        if self.question.every:
             undecided: Booleans = (self.codes == INSIDE) | (self.codes >= self._untold)
             return undecided
         missing: Booleans = self.codes != INSIDE
@@ -265,13 +213,18 @@ class _Tried:
     @cached_property
     def _untold(self) -> int:
         """The first code of the conditions that lines do not tell."""
-        told = self.conditions[: provable(self.mechanism, self.conditions, self.grid)]
+        conditions = self.question.conditions
+        told = conditions[: provable(self.question.mechanism, conditions, self.question.grid)]
         return 1 + sum(len(condition.legs) for condition in told)
 
     @property
     def _undecided(self) -> Booleans:
         """Which nodes another orientation can still change."""
         # The first code cannot become an earlier one.
-        settled = self.codes == 1 if self.every else (self.codes == INSIDE) & (not self.measured)
+        settled = (
+            self.codes == 1
+            if self.question.every
+            else (self.codes == INSIDE) & (not self.question.measured)
+        )
         open_: Booleans = ~settled
         return open_

@@ -1,5 +1,6 @@
 """What workspaces are priced at before they are computed."""
 
+import itertools
 import json
 from typing import Any
 
@@ -8,6 +9,7 @@ import pytest
 
 import analyses
 from schemas.analyses import Request, parse_request
+from schemas.starters import STARTERS
 from tests.oracles.draws import DRAWS
 
 SYNCHRONOUS = 0.5
@@ -114,4 +116,128 @@ def test_the_ends_of_arcs_are_sought_however_short_the_range() -> None:
         request = parse_request(json.dumps(body))
         analyses.check(request, 10**9)
         prices.append(analyses.estimate(request, SYNCHRONOUS).seconds)
-    assert 0.1 * prices[1] < prices[0] < prices[1]
+    assert 0.1 * prices[1] < prices[0]
+
+
+PLANE = {"x": (-0.3, 0.3), "y": (-0.3, 0.3)}
+SPACE = {"x": (-0.6, 0.6), "y": (-0.6, 0.6), "z": (0.2, 1.2)}
+LIMITS = {"min": 0.5, "max": 1.1}
+STEEPEST = {"max_pressure_angle": 0.9}
+SLIGHTLY = [{"coordinate": c, "min": -0.2, "max": 0.2, "step": 0.2} for c in ("rx", "ry", "rz")]
+STILL = {"rx": 0.0, "ry": 0.0, "rz": 0.0}
+
+
+def priced(kind: str, ranges: dict[str, tuple[float, float]], count: int, **asked: Any) -> float:  # noqa: ANN401
+    """Return the price of a starter's workspace on so many nodes a side. [s]"""
+    mechanism = STARTERS[kind].model_dump(mode="json", exclude_none=True)
+    if kind == "gough_stewart":
+        mechanism["actuator_limits"] = LIMITS
+    grid = [
+        {"coordinate": name, "min": low, "max": high, "step": (high - low) / (count - 1)}
+        for name, (low, high) in ranges.items()
+    ]
+    body = {"analysis": "workspace", "mechanism": mechanism, "class": "theoretical", "grid": grid}
+    request = parse_request(json.dumps(body | {"type": "constant_orientation"} | asked))
+    analyses.check(request, 10**12)
+    return analyses.estimate(request, SYNCHRONOUS).seconds
+
+
+def in_plane(count: int, **asked: Any) -> float:  # noqa: ANN401
+    return priced("planar_3rrr", PLANE, count, **asked)
+
+
+def in_space(count: int, **asked: Any) -> float:  # noqa: ANN401
+    return priced("gough_stewart", SPACE, count, **asked)
+
+
+LEVEL: dict[str, Any] = {"fixed": {"phi": 0.0}}
+EFFECTIVE: dict[str, Any] = {"class": "effective", "effective": STEEPEST}
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        LEVEL,
+        LEVEL | EFFECTIVE,
+        LEVEL | {"fields": ["condition_number"]},
+        LEVEL | {"working_mode": "any"},
+        {"type": "maximal"},
+        {"type": "full"},
+        {"type": "maximal"} | EFFECTIVE,
+        {"type": "full"} | EFFECTIVE,
+    ],
+)
+def test_finer_grids_in_the_plane_cost_more(asked: dict[str, Any]) -> None:
+    prices = [in_plane(count, **asked) for count in (50, 200, 800, 3200)]
+    assert all(2.0 * coarse < fine for coarse, fine in itertools.pairwise(prices))
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"fixed": STILL},
+        {"fixed": STILL, "class": "constructive"},
+        {"fixed": STILL} | EFFECTIVE,
+        {"type": "inclusive_orientation", "class": "constructive", "orientation_range": SLIGHTLY},
+        {"type": "inclusive_orientation", "orientation_range": SLIGHTLY} | EFFECTIVE,
+        {"type": "orientation_range", "orientation_range": SLIGHTLY} | EFFECTIVE,
+    ],
+)
+def test_finer_grids_in_space_cost_more(asked: dict[str, Any]) -> None:
+    prices = [in_space(count, **asked) for count in (30, 60, 120)]
+    assert all(2.0 * coarse < fine for coarse, fine in itertools.pairwise(prices))
+
+
+def test_a_class_costs_at_least_what_those_below_it_do() -> None:
+    prices = [
+        in_space(100, fixed=STILL, effective=STEEPEST, **{"class": name})
+        for name in ("theoretical", "constructive", "effective")
+    ]
+    assert prices == sorted(prices)
+
+
+@pytest.mark.parametrize("type_", ["maximal", "inclusive_orientation"])
+def test_what_is_searched_costs_more_than_closed_forms(type_: str) -> None:
+    ranges = [{"coordinate": "phi", "min": -0.5, "max": 0.5}] if type_ != "maximal" else []
+    asked = {"type": type_, "orientation_range": ranges}
+    assert in_plane(100, **asked) < in_plane(100, **asked, **EFFECTIVE)
+
+
+def test_fields_working_modes_and_shapes_cost_something() -> None:
+    alone = in_plane(300, **LEVEL)
+    more: list[dict[str, Any]] = [
+        {"fields": ["determinant"]},
+        {"working_mode": "any"},
+        {"inscribed": True},
+    ]
+    assert all(in_plane(300, **LEVEL, **asked) > alone for asked in more)
+
+
+def test_where_nothing_holds_all_round_nothing_is_searched() -> None:
+    far = {"x": (0.1, 0.4), "y": (0.1, 0.4)}
+    some, all_ = (priced("planar_3rrr", far, 120, type=t, **EFFECTIVE) for t in ("maximal", "full"))
+    assert all_ < 0.2 * some
+
+
+@pytest.mark.parametrize(
+    "asked", [EFFECTIVE, {"fields": ["pressure_angle"]}, {"fields": ["condition_number"]}]
+)
+def test_nodes_out_of_reach_cost_little(asked: dict[str, Any]) -> None:
+    far = {name: (high, 9.0 * high - 8.0 * low) for name, (low, high) in PLANE.items()}
+    near, beyond = (priced("planar_3rrr", ranges, 300, **LEVEL, **asked) for ranges in (PLANE, far))
+    assert beyond < 0.1 * near
+
+
+@pytest.mark.parametrize("type_", ["inclusive_orientation", "orientation_range"])
+def test_nodes_that_another_orientation_cannot_change_are_asked_no_more(type_: str) -> None:
+    asked = EFFECTIVE | {"type": type_, "orientation_range": SLIGHTLY}
+    asked["effective"] = {"max_pressure_angle": 1.4}
+    assert in_space(40, **asked) < in_space(40, **asked, fields=["free_orientation"])
+
+
+def test_lines_are_counted_not_their_nodes() -> None:
+    prices = [
+        priced("delta_linear", {"x": (-0.3, 0.3), "y": (-0.3, 0.3), "z": (-low, low)}, 200)
+        for low in (0.3, 3.0)
+    ]
+    assert prices[1] == pytest.approx(prices[0])

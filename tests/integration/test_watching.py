@@ -11,7 +11,7 @@ from tests.integration.servers import Server
 from tests.integration.studies import PRINTER, SMALL, workspace
 
 Event = tuple[str, str, dict[str, Any]]
-LONGER = workspace(0.002)
+LONGER = workspace(0.001)
 
 
 def events(server: Server, job: dict[str, Any], **headers: str) -> list[Event]:

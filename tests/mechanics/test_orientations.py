@@ -13,7 +13,7 @@ from mechanics.grid import Axis, Grid
 from mechanics.legs import CRANK, Leg, gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import PLANAR
-from mechanics.orientations import Orientations, scan_orientations
+from mechanics.orientations import Orientations, Question, scan_orientations
 from mechanics.workspace import Scan, ranks_of
 from tests.mechanics.test_sweeps import SPATIAL, conditions_of, limited, turned
 from tests.oracles.draws import DRAWS
@@ -60,9 +60,8 @@ def one_by_one(
     for fixed in orientations.grid.poses(0, orientations.grid.size).T:
         alone = replace(orientations, grid=Grid((), (), fixed))
         turned = replace(grid, fixed=fixed)
-        found = scan_orientations(
-            mechanism, conditions, turned, alone, 0, grid.size, every=every, measured=True
-        )
+        question = Question(mechanism, conditions, turned, alone, every, measured=True)
+        found = scan_orientations(question, 0, grid.size)
         rows.append(dense(found))
     codes, free = (np.array(column) for column in zip(*rows, strict=True))
     if every:
@@ -87,9 +86,8 @@ def test_orientations_together_say_what_each_alone_says(
     grid, orientations = positions_of(draw.least, draw.most), around(mechanism, turn)
     expected, free = one_by_one(mechanism, conditions, grid, orientations, every=every)
     for measured in (False, True):
-        found = scan_orientations(
-            mechanism, conditions, grid, orientations, 0, grid.size, every=every, measured=measured
-        )
+        question = Question(mechanism, conditions, grid, orientations, every, measured)
+        found = scan_orientations(question, 0, grid.size)
         codes, sizes = dense(found)
         assert np.array_equal(codes, expected)
         if measured:
@@ -110,9 +108,8 @@ def test_a_turn_of_more_radians_than_lengths_have_metres_is_no_length(every: boo
     mechanism = Mechanism(PLANAR, gather(legs, free, np.ones(3)))
     grid = Grid((Axis("x", 0.0, 0.0002, 0.00002),), (0,), np.zeros(3))
     around = Orientations(Grid((Axis("phi", 0.0, 3.14, 3.14),), (2,), np.zeros(3)), None, 3.14)
-    found = scan_orientations(
-        mechanism, [Reach(mechanism)], grid, around, 0, grid.size, every=every, measured=False
-    )
+    question = Question(mechanism, [Reach(mechanism)], grid, around, every, measured=False)
+    found = scan_orientations(question, 0, grid.size)
     # The third leg fails at rest, the first one turned by half a turn.
     assert found.codes.tolist() == [1]
     assert found.lengths.tolist() == [11]

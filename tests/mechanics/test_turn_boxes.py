@@ -15,7 +15,7 @@ from mechanics.kernels.codes import UNSEEN
 from mechanics.mechanism import Mechanism
 from mechanics.neighbourhoods import Margins, Neighbourhood
 from mechanics.octree import Reach, decide
-from mechanics.orientations import Orientations, scan_orientations
+from mechanics.orientations import Orientations, Question, scan_orientations
 from mechanics.sweeps import Sweep, arcs_left
 from mechanics.workspace import Scan
 from tests.mechanics.test_sweeps import CASES, ENDS, SPIN, conditions_of, limited, turned
@@ -63,14 +63,14 @@ def told(scan: Scan) -> Floats:
     return np.concatenate([np.asarray(part, dtype=float) for part in parts])
 
 
-Tried = tuple[Mechanism, list[Condition], Grid, Orientations, int, int]
+Asked = tuple[Mechanism, list[Condition], Grid, Orientations]
 
 
-def boxes_agree_with_nodes(tried: Tried, every: bool) -> None:
+def boxes_agree_with_nodes(asked: Asked, stretch: tuple[int, int], every: bool) -> None:
     """Hold codes, and what is measured of orientations, by boxes against those by nodes."""
     for measured in (False, True):
         by_boxes, by_nodes = (
-            scan_orientations(*tried, every=every, measured=measured, by_boxes=way)
+            scan_orientations(Question(*asked, every, measured), *stretch, by_boxes=way)
             for way in (True, False)
         )
         assert np.array_equal(told(by_boxes), told(by_nodes))
@@ -86,7 +86,7 @@ def test_boxes_say_what_nodes_say(name: str, coordinate: str, every: bool) -> No
         around = Orientations(Grid((), (), grid.fixed), turn, high - low)
         stretch = (grid.size // 7, grid.size - grid.size // 9)
         for conditions in chosen(mechanism):
-            boxes_agree_with_nodes((mechanism, conditions, grid, around, *stretch), every)
+            boxes_agree_with_nodes((mechanism, conditions, grid, around), stretch, every)
 
 
 @pytest.mark.parametrize("every", [False, True])
@@ -116,7 +116,7 @@ def test_conditions_without_closed_forms_are_searched_where_boxes_are_not_told()
     turn = turned(mechanism, "phi", -math.pi, math.pi)
     around = Orientations(Grid((), (), grid.fixed), turn, 2.0 * math.pi)
     for every in (False, True):
-        boxes_agree_with_nodes((mechanism, conditions, grid, around, 3, grid.size), every)
+        boxes_agree_with_nodes((mechanism, conditions, grid, around), (3, grid.size), every)
 
 
 @pytest.mark.parametrize("every", [False, True])
@@ -168,6 +168,6 @@ def test_no_box_of_one_orientation_is_judged_where_nodes_are_asked_for(
     monkeypatch.setattr(PressureAngle, "margins_near", margins_near)
     conditions: list[Condition] = [Reaching(mechanism), PressureAngle(mechanism, 1.5)]
     around = Orientations(Grid((), (), grid.fixed), None, 0.0)
-    tried = (mechanism, conditions, grid, around, 0, grid.size)
-    scan_orientations(*tried, every=True, measured=False, by_boxes=False)
+    question = Question(mechanism, conditions, grid, around, every=True, measured=False)
+    scan_orientations(question, 0, grid.size, by_boxes=False)
     assert not asked

@@ -142,7 +142,7 @@ def test_the_mode_follows_the_budget(start: Callable[..., Service]) -> None:
 
 
 def test_a_heavy_request_is_estimated_as_job(refusing: Service) -> None:
-    body = WORKSPACE | {"grid": grid(0.0001)}
+    body = WORKSPACE | {"grid": grid(0.0001), "fields": ["condition_number"]}
     estimate = refusing.post("/v1/estimates", body).json()
     assert (estimate["nodes"], estimate["mode"]) == (20001 * 20001, "job")
 
