@@ -59,7 +59,7 @@ class Judgement:
 
     def _judge(self, near: Neighbourhood, codes: Bytes) -> None:
         """Write the codes of a block's boxes, as `workspace` sifts single nodes."""
-        alive, code = np.arange(codes.size), self.first
+        alive, code, last = np.arange(codes.size), self.first, self.conditions[-1]
         for condition in self.conditions:
             margins = condition.margins_near(near)
             holds = margins.least >= 0.0
@@ -69,7 +69,8 @@ class Judgement:
                 part = np.argmin(holds[:, doubtful], axis=0)
                 fails = margins.greatest[part, doubtful] < 0.0
                 codes[alive[doubtful[fails]]] = code + part[fails]
-                alive, near = alive[every], near.take(every)
+                alive = alive[every]
+                near = near.take(every) if condition is not last else near
             code += len(condition.legs)
         codes[alive] = INSIDE
 
