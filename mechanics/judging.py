@@ -21,11 +21,14 @@ BLOCK = 1024
 WORTH_BOXES, SPARSE = 100_000, 64
 """Boxes are judged of so many nodes or more, not in a window of so many times more."""
 
-SAMPLED, TRIED = 1024, 4
+SAMPLED, TRIED = 512, 4
 """Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
+FORECAST = 1024
+"""Nodes of the whole grid, few of which lines may leave, that a price is told from."""
 
-MOST_ASKED = 0.75
-"""If boxes leave a greater share of the nodes, all are asked at once."""
+MOST_ASKED, MOST_ASKED_QUICKLY = 0.75, 0.25
+"""If boxes leave a greater share of the nodes, all are asked at once: of any conditions, and where
+all are quick."""
 
 FEWEST = 48
 """Boxes of no more nodes cost less asked than judged."""
@@ -82,7 +85,8 @@ def worth_judging(
     if not bounded(mechanism) or left.size < WORTH_BOXES:
         return False
     nodes = left[np.linspace(0, left.size - 1, SAMPLED).astype(np.int64)]
-    return _untold_share(mechanism, conditions, grid, grid.poses_at(nodes)) <= MOST_ASKED
+    share = _untold_share(mechanism, conditions, grid, grid.poses_at(nodes))
+    return share <= _most_asked(conditions)
 
 
 def sparse(size: int, left: int) -> bool:
@@ -99,13 +103,17 @@ def asked_share(mechanism: Mechanism, conditions: Sequence[Condition], grid: Gri
     rest = conditions[walked:]
     if not rest or grid.size < WORTH_BOXES or not bounded(mechanism):
         return 1.0
-    nodes = np.random.default_rng(0).integers(0, grid.size, SAMPLED)
+    nodes = np.random.default_rng(0).integers(0, grid.size, FORECAST)
     block = Configuration(mechanism, grid.poses_at(nodes))
     left = np.ones(nodes.size, bool)
     for condition in conditions[:walked]:
         left &= np.all(condition.check(block) >= 0.0, axis=0)
     share = _untold_share(mechanism, rest, grid, np.ascontiguousarray(block.poses[:, left]))
-    return share if share <= MOST_ASKED else 1.0
+    return share if share <= _most_asked(rest) else 1.0
+
+
+def _most_asked(conditions: Sequence[Condition]) -> float:
+    return MOST_ASKED_QUICKLY if all(each.quick for each in conditions) else MOST_ASKED
 
 
 def _untold_share(

@@ -188,7 +188,8 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
 @pytest.fixture
 def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge boxes however few nodes they have, and there are."""
-    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
+    worth = {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0, "MOST_ASKED_QUICKLY": 2.0}
+    for name, value in worth.items():
         monkeypatch.setattr(judging, name, value)
     monkeypatch.setattr(workspace, "FEWEST", 4)
 
