@@ -89,11 +89,15 @@ def worst_efforts_near(near: Neighbourhood, load: Load) -> Margins:
     Row i of J^-T is Jpsi times column i of Jx^-1, of which `near.mixing` says what others bring in.
     """
     rates = np.abs(near.centre.rods[1])
-    own = worst_efforts(near.centre, load) / np.where(rates > 0.0, rates, np.nan)
-    others = near.others(own)
+    rates = np.where(rates > 0.0, rates, np.nan)
+    own = worst_efforts(near.centre, load) / rates
+    known = np.zeros_like(own)
+    if np.any(load.known):
+        known = np.abs(signed_efforts(near.centre, load)) / rates
+    falls, rises = near.size_changes((load.force, load.moment), own, known)
     blurs = near.blurs
-    least = np.maximum(own - others, 0.0) * near.rates[0] * (1.0 - blurs)
-    return Margins(least, (own + others) * near.rates[1] * (1.0 + blurs))
+    least = np.maximum(own - falls, 0.0) * near.rates[0] * (1.0 - blurs)
+    return Margins(least, (own + rises) * near.rates[1] * (1.0 + blurs))
 
 
 def worst_load(block: Configuration, load: Load) -> WorstLoad:

@@ -21,11 +21,12 @@ BLOCK = 1024
 WORTH_BOXES, SPARSE = 100_000, 64
 """Boxes are judged of so many nodes or more, not in a window of so many times more."""
 
-SAMPLED, TRIED = 1024, 4
+SAMPLED, TRIED = 512, 4
 """Nodes that are tried to see how many boxes leave, and along each axis those of such a box."""
 
-MOST_ASKED = 0.75
-"""If boxes leave a greater share of the nodes, all are asked at once."""
+MOST_ASKED, MOST_ASKED_QUICKLY = 0.75, 0.25
+"""If boxes leave a greater share of the nodes, all are asked at once: of any conditions, and where
+all are quick."""
 
 FEWEST = 48
 """Boxes of no more nodes cost less asked than judged."""
@@ -59,7 +60,7 @@ class Judgement:
 
     def _judge(self, near: Neighbourhood, codes: Bytes) -> None:
         """Write the codes of a block's boxes, as `workspace` sifts single nodes."""
-        alive, code = np.arange(codes.size), self.first
+        alive, code, last = np.arange(codes.size), self.first, self.conditions[-1]
         for condition in self.conditions:
             margins = condition.margins_near(near)
             holds = margins.least >= 0.0
@@ -69,7 +70,8 @@ class Judgement:
                 part = np.argmin(holds[:, doubtful], axis=0)
                 fails = margins.greatest[part, doubtful] < 0.0
                 codes[alive[doubtful[fails]]] = code + part[fails]
-                alive, near = alive[every], near.take(every)
+                alive = alive[every]
+                near = near.take(every) if condition is not last else near
             code += len(condition.legs)
         codes[alive] = INSIDE
 
@@ -81,7 +83,8 @@ def worth_judging(
     if not bounded(mechanism) or left.size < WORTH_BOXES:
         return False
     nodes = left[np.linspace(0, left.size - 1, SAMPLED).astype(np.int64)]
-    return _untold_share(mechanism, conditions, grid, grid.poses_at(nodes)) <= MOST_ASKED
+    share = _untold_share(mechanism, conditions, grid, grid.poses_at(nodes))
+    return share <= _most_asked(conditions)
 
 
 def sparse(size: int, left: int) -> bool:
@@ -104,7 +107,11 @@ def asked_share(
     if not conditions or grid.size < WORTH_BOXES or not bounded(mechanism):
         return 1.0
     share = _untold_share(mechanism, conditions, grid, left)
-    return share if share <= MOST_ASKED else 1.0
+    return share if share <= _most_asked(conditions) else 1.0
+
+
+def _most_asked(conditions: Sequence[Condition]) -> float:
+    return MOST_ASKED_QUICKLY if all(each.quick for each in conditions) else MOST_ASKED
 
 
 def _untold_share(

@@ -8,6 +8,7 @@ import numpy as np
 from mechanics.arrays import Booleans, Floats
 from mechanics.configuration import Configuration
 from mechanics.kernels import neighbourhoods as kernels
+from mechanics.kernels import slopes
 from mechanics.kernels.cofactors import EPSILON
 from mechanics.legs import ARC_JOINTS, CRANK, STRUT
 from mechanics.mechanism import Mechanism
@@ -148,10 +149,15 @@ class Neighbourhood:
         return np.where(blurs <= COARSEST, blurs, np.nan)
 
     @cached_property
+    def _columns(self) -> Floats:
+        cofactors, determinants = self.centre.cofactors
+        columns: Floats = cofactors / np.where(determinants != 0.0, determinants, np.nan)
+        return columns
+
+    @cached_property
     def _mixings(self) -> tuple[Floats, Floats, Floats]:
         found = self.centre
-        cofactors, determinants = found.cofactors
-        columns = cofactors / np.where(determinants != 0.0, determinants, np.nan)
+        columns = self._columns
         speeds, kept = np.empty((2, *self.shifts.shape)), np.empty(found.count)
         mixing = np.empty_like(columns, shape=(len(columns), *self.shifts.shape))
         kernels.mixings(
@@ -209,6 +215,54 @@ class Neighbourhood:
         added = np.empty_like(own)
         kernels.add_others(own, self.mixing, added)
         return added
+
+    @cached_property
+    def _curls(self) -> tuple[Floats, Floats, Floats]:
+        found, swerves = self.centre, 0.5 * self.arm_turns * self._reach.turns
+        ways, left = np.empty_like(found.rods[0]), np.empty_like(swerves)
+        inverses = np.empty_like(swerves)
+        slopes.curls(
+            found.mechanism.legs,
+            found.attachment[1],
+            found.travel,
+            found.rods[0],
+            self.shifts,
+            swerves,
+            self.rates[0],
+            ways,
+            inverses,
+            left,
+        )
+        return ways, inverses, left
+
+    def size_changes(self, load: tuple[float, float], own: Floats, known: Floats) -> Floats:
+        """Return how far sizes F |a| + M |b| of the columns of Jx^-1 may fall and rise.
+
+        Shape (2, drives, poses); a and b are velocity and turning, `own` the sizes at the centres
+        with a known load's share, shape (drives, poses), and `known` that share alone.
+        """
+        changes = np.empty((2, *own.shape))
+        ways, inverses, left = self._curls
+        found = self.centre
+        slopes.slopes(
+            found.mechanism.motion.twists,
+            self._columns,
+            found.attachment[0],
+            found.rods[0],
+            ways,
+            inverses,
+            left,
+            self.swings,
+            self.arm_turns,
+            np.stack([self._reach.positions, self._reach.turns]),
+            self.blurs,
+            self.mixing,
+            load,
+            own,
+            known,
+            changes,
+        )
+        return np.fmin(changes, self.others(own))
 
     @property
     def condition_numbers(self) -> Margins:

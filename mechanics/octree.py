@@ -8,7 +8,7 @@ import numpy as np
 from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.grid import Grid
 from mechanics.kernels.codes import UNSEEN
-from mechanics.kernels.octree import Boxes, centres, fill, halved, holding
+from mechanics.kernels.octree import Boxes, centres, ends, fill, halved, holding, moved
 from mechanics.motions import Motion
 
 WIDENED = 1.0 + 2.0**-48
@@ -48,8 +48,8 @@ class Window(NamedTuple):
 
     def of(self, grid: Grid, nodes: Integers) -> Integers:
         """Return which flat nodes of the grid the window's flat nodes are."""
-        indices = np.array(np.unravel_index(nodes, self.shape)) + self.first[:, None]
-        flat: Integers = np.ravel_multi_index(tuple(indices), grid.shape)
+        own, whole = np.array(self.shape), np.array(grid.shape)
+        flat: Integers = moved(nodes, own, self.first, whole)
         return flat
 
 
@@ -58,15 +58,10 @@ def window_about(grid: Grid, nodes: Integers) -> tuple[Window, Integers]:
 
     Shape (nodes,), counted in the window.
     """
-    indices = np.unravel_index(nodes, grid.shape)
-    first = [int(along.min()) for along in indices]
-    shape = tuple(int(along.max()) - low + 1 for along, low in zip(indices, first, strict=True))
-    flat = np.zeros(nodes.size, np.int64)
-    for along, low, count in zip(indices, first, shape, strict=True):
-        flat *= count
-        flat += along
-        flat -= low
-    return Window(np.array(first), shape), flat
+    shape = np.array(grid.shape)
+    first, last = ends(nodes, shape)
+    window = Window(first, tuple((last - first + 1).tolist()))
+    return window, moved(nodes, shape, -first, np.array(window.shape))
 
 
 Judge = Callable[[Floats, Reach], Bytes]

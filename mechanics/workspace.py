@@ -104,7 +104,7 @@ def scan(
     left = _Left(mechanism, rest, first, grid)
     nodes = kernels.nodes_with(INSIDE, codes, lengths, start)
     verdicts = np.zeros(nodes.size, np.uint8)
-    asked = np.arange(nodes.size) if among is None else np.flatnonzero(among[nodes - start])
+    asked = slice(None) if among is None else np.flatnonzero(among[nodes - start])
     told = left.by_boxes(nodes[asked]) if by_boxes and not fields else None
     kept: dict[str, Floats] = {}
     if told is None:

@@ -44,6 +44,8 @@ class Condition(ABC):
     """The test of each part that decides it along whole lines, if there are."""
     turn_tests: tuple[TurnTest, ...] | None = None
     """The test of each part that decides it at all angles of a turn, if there are."""
+    quick: bool = False
+    """Whether it takes no longer at ten nodes than bounds on it near one."""
     fails_at_singularities: bool = False
     """Whether it fails near every pose at which det Jx is 0, however near that is."""
 

@@ -15,6 +15,7 @@ class Effort(Condition):
     """The greatest effort of each drive is at most its limit, shape (drives,). [N m or N]"""
 
     reason = "effort"
+    quick = True
     fails_at_singularities = True
 
     def __init__(self, mechanism: Mechanism, load: Load, limits: Floats) -> None:

@@ -146,3 +146,40 @@ def holding(boxes: Boxes, shape: Integers, start: int, among: Booleans) -> Boole
             if kept[i]:
                 break
     return kept
+
+
+@kernel
+def ends(nodes: Integers, shape: Integers) -> tuple[Integers, Integers]:
+    """Return the least and the greatest indices of flat nodes, shape (axes,) each."""
+    last = shape.size - 1
+    low, high = shape.copy(), np.full(shape.size, -1)
+    begin = -int(shape[last])
+    for node in nodes:
+        if not begin <= node < begin + shape[last]:
+            # Only where a line begins is a node taken apart.
+            rest = node // shape[last]
+            begin = rest * shape[last]
+            for a in range(last - 1, -1, -1):
+                low[a], high[a] = min(low[a], rest % shape[a]), max(high[a], rest % shape[a])
+                rest //= shape[a]
+        low[last], high[last] = min(low[last], node - begin), max(high[last], node - begin)
+    return low, high
+
+
+@kernel
+def moved(nodes: Integers, shape: Integers, shift: Integers, into: Integers) -> Integers:
+    """Return flat nodes counted anew, in boxes of another shape, their indices moved by a shift."""
+    last = shape.size - 1
+    flat = np.empty_like(nodes)
+    begin, shifted = -int(shape[last]), 0
+    for i in range(nodes.size):
+        if not begin <= nodes[i] < begin + shape[last]:
+            rest, stride = nodes[i] // shape[last], into[last]
+            begin = rest * shape[last]
+            shifted = shift[last] - begin
+            for a in range(last - 1, -1, -1):
+                shifted += (rest % shape[a] + shift[a]) * stride
+                rest //= shape[a]
+                stride *= into[a]
+        flat[i] = nodes[i] + shifted
+    return flat

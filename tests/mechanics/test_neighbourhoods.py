@@ -24,6 +24,7 @@ from mechanics.conditions.reach import Reach
 from mechanics.conditions.rod_distance import RodDistance
 from mechanics.conditions.rod_rod_angle import RodRodAngle
 from mechanics.configuration import Configuration
+from mechanics.effort import worst_efforts, worst_efforts_near
 from mechanics.grid import Axis, Grid
 from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
@@ -125,6 +126,52 @@ def test_no_pose_near_a_centre_breaks_what_is_told_of_it(name: str) -> None:
                 assert not holds[margins.greatest[:, i] < 0.0].any(), condition.reason
 
 
+LOADS = [LOAD, Load(10.0, 0.0), Load(0.0, 1.0), Load(0.0, 0.0, LOAD.known)]
+
+
+@pytest.mark.parametrize("load", LOADS, ids=["all", "force", "moment", "known"])
+@pytest.mark.parametrize("name", NAMES)
+def test_efforts_near_a_centre_are_between_their_bounds(name: str, load: Load) -> None:
+    random = np.random.default_rng(71)
+    for _ in range(2):
+        draw = DRAWS[name](random)
+        mechanism = wired(draw.wire)
+        poses = centres_of(draw, mechanism, random, 60)
+        sizes = 10.0 ** random.uniform(-5.0, -1.0, (2, poses.shape[1]))
+        sizes[1] *= random.integers(0, 2, poses.shape[1])
+        near = Neighbourhood(Configuration(mechanism, poses), Near(*sizes), SIZE)
+        least, greatest = worst_efforts_near(near, load)
+        for i in range(poses.shape[1]):
+            about = spread_about(mechanism, poses[:, i], Near(*sizes[:, i]), random)
+            efforts = worst_efforts(Configuration(mechanism, about), load)
+            assert np.isfinite(efforts[np.isfinite(greatest[:, i])]).all()
+            assert not np.any(efforts < least[:, [i]])
+            assert not np.any(efforts > greatest[:, [i]])
+
+
+def test_bounds_on_efforts_of_struts_are_off_by_squares_alone() -> None:
+    random = np.random.default_rng(73)
+    draw = DRAWS["gough_stewart"](random)
+    mechanism, load = wired(draw.wire), Load(10.0, 1.0)
+    poses = centres_of(draw, mechanism, random, 100)
+
+    def efforts(moved: Floats) -> Floats:
+        return worst_efforts(Configuration(mechanism, np.ascontiguousarray(moved)), load)
+
+    steps = 1e-6 * np.eye(6)[:3, :, None]
+    slopes = np.array([(efforts(poses + step) - efforts(poses - step)) / 2e-6 for step in steps])
+    steepest = np.linalg.norm(slopes, axis=0)
+    beyond = []
+    for size in (1e-3, 5e-4):
+        reach = Near(np.full(poses.shape[1], size), np.zeros(poses.shape[1]))
+        near = Neighbourhood(Configuration(mechanism, poses), reach, SIZE)
+        least, greatest = worst_efforts_near(near, load)
+        beyond.append(np.stack([greatest - efforts(poses), efforts(poses) - least]))
+        beyond[-1] -= size * steepest
+    quartered = beyond[1] / beyond[0]
+    assert np.nanmedian(quartered) < 0.27
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_what_holds_at_a_pose_does_not_depend_on_its_company(name: str) -> None:
     random = np.random.default_rng(61)
@@ -188,7 +235,8 @@ def test_arcs_and_wrists_have_no_bounds() -> None:
 @pytest.fixture
 def boxes_always(monkeypatch: pytest.MonkeyPatch) -> None:
     """Judge boxes however few nodes they have, and there are."""
-    for name, value in {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0}.items():
+    worth = {"WORTH_BOXES": 1, "SPARSE": 10**9, "MOST_ASKED": 2.0, "MOST_ASKED_QUICKLY": 2.0}
+    for name, value in worth.items():
         monkeypatch.setattr(judging, name, value)
     monkeypatch.setattr(workspace, "FEWEST", 4)
 

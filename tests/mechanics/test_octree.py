@@ -9,7 +9,7 @@ from mechanics.arrays import Booleans, Bytes, Floats, Integers
 from mechanics.grid import Axis, Grid
 from mechanics.kernels.codes import UNSEEN
 from mechanics.motions import PLANAR, SPATIAL, SPHERICAL, Motion
-from mechanics.octree import Reach, boxes_of, decide, foresee
+from mechanics.octree import Reach, boxes_of, decide, foresee, window_about
 
 SHAPES = [(17,), (9, 14), (1, 30), (7, 1, 12), (6, 5, 8), (3, 4, 5, 6), (2, 3, 2, 3, 2, 3)]
 PLATFORM = np.array([[0.3, -0.2, 0.5], [-0.4, 0.1, 0.2]])
@@ -171,3 +171,18 @@ def test_a_stretch_is_at_most_a_head_a_middle_and_a_tail_an_axis(shape: tuple[in
         owners = np.all(inside, axis=0).sum(axis=0)
         assert owners[start:stop].tolist() == [1] * (stop - start)
         assert owners.sum() == stop - start
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("share", [0.02, 0.3, 1.0])
+def test_a_window_is_the_smallest_about_its_nodes(shape: tuple[int, ...], share: float) -> None:
+    grid = grid_of(SPATIAL, shape)
+    nodes = np.flatnonzero(np.random.default_rng(9).random(grid.size) < share)
+    nodes = np.append(nodes, grid.size // 2) if not nodes.size else nodes
+    window, places = window_about(grid, nodes)
+    indices = np.array(np.unravel_index(nodes, shape))
+    assert window.first.tolist() == indices.min(axis=1).tolist()
+    assert window.shape == tuple(np.ptp(indices, axis=1) + 1)
+    inner = tuple(indices - window.first[:, None])
+    assert np.array_equal(places, np.ravel_multi_index(inner, window.shape))
+    assert np.array_equal(window.of(grid, places), nodes)
