@@ -13,7 +13,7 @@ from mechanics.inscribed import offers_box
 from mechanics.kernels.line_ends import LIMITS, NOTHING
 from mechanics.legs import CRANK
 from mechanics.lines import provable
-from mechanics.orientations import Question, all_round
+from mechanics.orientations import FEW, Question, all_round
 from mechanics.sweeps import NODES_SEARCHED, swept
 from mechanics.turns import Turn
 from schemas.workspace import WorkspaceRequest
@@ -97,11 +97,17 @@ def _seconds_in_mode(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
 
 
 def seconds_per_tile(setup: WorkspaceSetup) -> float:
-    """Return what orientations that are tried one by one cost, however few the nodes. [s]"""
+    """Return what orientations that are tried one by one cost, however few a tile's nodes. [s]"""
     orientations = setup.orientations
-    if orientations is None or all_round(setup.conditions, orientations):
+    if orientations is None or all_round(setup.conditions, orientations) or _tried_together(setup):
         return 0.0
     return orientations.grid.size * len(setup.mechanisms) * SECONDS_PER_ORIENTATION
+
+
+def _tried_together(setup: WorkspaceSetup) -> bool:
+    """Return whether there are so few nodes that they are tried at several orientations at once."""
+    orientations = setup.orientations
+    return orientations is not None and orientations.turn is None and setup.grid.size <= FEW
 
 
 def seconds_inscribed(request: WorkspaceRequest, setup: WorkspaceSetup) -> float:
@@ -128,7 +134,8 @@ def _seconds_along_lines(setup: WorkspaceSetup) -> float:
 
 def _seconds_in_order(setup: WorkspaceSetup, question: Question) -> float:
     """Return the mean cost of a node at many orientations, one after the other. [s]"""
-    decided = provable(setup.mechanism, setup.conditions, setup.grid)
+    by_lines = not _tried_together(setup)
+    decided = provable(setup.mechanism, setup.conditions, setup.grid) if by_lines else 0
     shares = forecasts.met_in_order(question)
     asked = _seconds_asked(setup, decided, shares) if decided < len(setup.conditions) else 0.0
     each = _seconds_by_lines(setup, decided) + SECONDS_IN_ORDER + asked

@@ -15,7 +15,7 @@ WIDENED = 1.0 + 2.0**-48
 """What a sum of a few squares, and its root, may have lost to rounding is less than this."""
 
 
-FORESEEN = 128
+FORESEEN = 512
 """So many boxes are judged to see what all will take."""
 
 

@@ -17,10 +17,12 @@ from mechanics.lines import provable
 from mechanics.mechanism import Mechanism
 from mechanics.sweeps import Sweep, swept, tests_of
 from mechanics.turns import Turn
-from mechanics.workspace import Scan, line_runs, ranks_of, scan
+from mechanics.workspace import BLOCK, Scan, codes_of, line_runs, ranks_of, scan
 
 FRAMES = 4096
 """Orientations that one call of a kernel takes."""
+FEW = 512
+"""Nodes that are rather tried at several orientations together than along lines at one."""
 
 
 @dataclass(frozen=True)
@@ -112,11 +114,9 @@ def scan_orientations(question: Question, start: int, stop: int, *, by_boxes: bo
     if turn is not None and all_round(question.conditions, orientations):
         tried.all_round(turn)
     else:
-        for o in range(orientations.grid.size):
-            if turn is None:
-                tried.by_lines(question.turned(o))
-            else:
-                tried.by_arcs(question.turned(o), turn)
+        at = 0
+        while at < orientations.grid.size and tried.undecided.any():
+            at = tried.in_order(at, turn)
     values, lengths = line_runs(codes, start, question.grid.shape[-1])
     if not question.measured:
         return Scan(values, lengths, {})
@@ -153,6 +153,32 @@ class _Tried:
             poses = orientations.poses(first, min(first + FRAMES, orientations.size))
             try_all_round(asked, positions, turn.frames(poses), self.codes, self.held, PAIRS)
 
+    def in_order(self, first: int, turn: Turn | None) -> int:
+        """Try an orientation, or of few nodes some at once; return which one is next."""
+        nodes = np.flatnonzero(self.undecided)
+        if turn is not None:
+            self.by_arcs(self.question.turned(first), turn)
+        elif nodes.size > FEW:
+            self.by_lines(self.question.turned(first))
+        else:
+            behind = min(first + BLOCK // nodes.size, self.question.orientations.grid.size)
+            self.by_poses(nodes, first, behind)
+            return behind
+        return first + 1
+
+    def by_poses(self, nodes: Integers, first: int, behind: int) -> None:
+        """Try nodes, counted from `start` on, at each of some orientations by itself."""
+        question, turned = self.question, self.question.orientations.grid
+        poses = np.tile(question.grid.poses_at(self.start + nodes), behind - first)
+        turns = list(turned.columns)
+        poses[turns] = np.repeat(turned.poses(first, behind)[turns], nodes.size, axis=1)
+        found = codes_of(question.mechanism, question.conditions, poses).reshape(-1, nodes.size)
+        codes = self.codes[nodes]
+        for fresh in found:
+            self._put(fresh, codes)
+        self.codes[nodes] = codes
+        self.held[nodes] += np.count_nonzero(found == INSIDE, axis=0)
+
     def by_lines(self, grid: Grid) -> None:
         """Try the one orientation of a grid of the same positions, along its lines."""
         among = None if self.question.measured else self._open
@@ -162,12 +188,13 @@ class _Tried:
             among=among,
         )
         fresh = np.repeat(found.codes, found.lengths)
-        self._put(fresh, (fresh == INSIDE).astype(np.float64))
+        self._put(fresh, self.codes)
+        self.held[:] += fresh == INSIDE
 
     def by_arcs(self, grid: Grid, turn: Turn) -> None:
         """Try the one orientation of a grid of the same positions, at all angles of a turn."""
         sweep = self.question.sweep(grid, turn)
-        sizes, open_ = np.zeros(self.codes.size), self._undecided
+        sizes, open_ = np.zeros(self.codes.size), self.undecided
 
         def ask(nodes: Integers) -> Bytes:
             codes, sizes[nodes - self.start] = sweep.verdicts(nodes)
@@ -190,16 +217,15 @@ class _Tried:
         if self.question.every and self.question.measured:
             # Of measured nodes whole boxes are inside only where all of the turn is.
             sizes[fresh == INSIDE] = 1.0
-        self._put(fresh, sizes)
+        self._put(fresh, self.codes)
+        self.held[:] += sizes
 
-    def _put(self, fresh: Bytes, sizes: Floats) -> None:
-        """Put in what fresh orientations say, and at which share of them all conditions held."""
+    def _put(self, fresh: Bytes, codes: Bytes) -> None:
+        """Put what a fresh orientation says into the codes of nodes."""
         if self.question.every:
-            at_every(fresh, self.codes)
+            at_every(fresh, codes)
         else:
-            at_some(fresh, self._ranks, self.codes)
-        if self.question.measured:
-            self.held[:] += sizes
+            at_some(fresh, self._ranks, codes)
 
     @property
     def _open(self) -> Booleans:
@@ -218,7 +244,7 @@ class _Tried:
         return 1 + sum(len(condition.legs) for condition in told)
 
     @property
-    def _undecided(self) -> Booleans:
+    def undecided(self) -> Booleans:
         """Which nodes another orientation can still change."""
         # The first code cannot become an earlier one.
         settled = (

@@ -162,6 +162,13 @@ class _Left:
         return codes[places]
 
 
+def codes_of(mechanism: Mechanism, conditions: Sequence[Condition], poses: Floats) -> Bytes:
+    """Return the codes of a block of poses, shape (coordinates, poses), as a scan has them."""
+    codes = np.zeros(poses.shape[1], np.uint8)
+    _sift(Configuration(mechanism, poses), conditions, 1, codes)
+    return codes
+
+
 def line_runs(codes: Bytes, start: int, line: int) -> tuple[Bytes, Integers]:
     """Return codes and lengths of the runs of nodes with these codes, the first being `start`."""
     changed = np.ones(codes.size, np.bool_)

@@ -14,11 +14,11 @@ from tests.oracles.draws import DRAWS
 
 SYNCHRONOUS = 0.5
 ONE_BY_ONE = 1e-4
-"""Less than an orientation that is tried by itself takes, even of a single node. [s]"""
+"""Less than an orientation that is tried by itself takes, however few the nodes. [s]"""
 
 
-def at_one_node(step: float, **fields: Any) -> Request:  # noqa: ANN401
-    """Return a request of one node at some of many orientations, with conditions to search."""
+def upright(nodes: int, step: float, **fields: Any) -> Request:  # noqa: ANN401
+    """Return a request of nodes at some of many orientations, with conditions to search."""
     draw = DRAWS["gough_stewart"](np.random.default_rng(0))
     turns = [{"coordinate": c, "min": -1.0, "max": 1.0, "step": step} for c in ("rx", "ry", "rz")]
     body = {
@@ -26,7 +26,7 @@ def at_one_node(step: float, **fields: Any) -> Request:  # noqa: ANN401
         "mechanism": draw.wire,
         "type": "inclusive_orientation",
         "class": "effective",
-        "grid": [{"coordinate": "z", "min": 0.5, "max": 0.5, "step": 1.0}],
+        "grid": [{"coordinate": "z", "min": 0.5, "max": 0.5 + 1e-4 * (nodes - 1), "step": 1e-4}],
         "fixed": {"x": 0.0, "y": 0.0},
         "orientation_range": turns,
         "effective": {"max_condition_number": 1.5},
@@ -37,12 +37,12 @@ def at_one_node(step: float, **fields: Any) -> Request:  # noqa: ANN401
 
 
 @pytest.mark.parametrize("step", [0.1, 0.05])
-def test_orientations_tried_one_by_one_cost_however_few_the_nodes(step: float) -> None:
+def test_few_nodes_do_not_pay_for_orientations_tried_one_by_one(step: float) -> None:
     count = round(2.0 / step + 1.0) ** 3
-    price = analyses.estimate(at_one_node(step), SYNCHRONOUS)
-    assert price.nodes == 1
-    assert price.mode == "job"
-    assert price.seconds > count * ONE_BY_ONE
+    one, many = (analyses.estimate(upright(n, step), SYNCHRONOUS) for n in (1, 1000))
+    assert (one.nodes, many.nodes) == (1, 1000)
+    assert many.mode == "job"
+    assert many.seconds > count * ONE_BY_ONE > one.seconds
 
 
 def test_shapes_that_are_looked_for_cost_more_than_a_scan_by_lines() -> None:

@@ -73,8 +73,10 @@ def few_orientations(every: bool, measured: bool) -> tuple[Question, Counted]:
 @pytest.mark.parametrize("measured", [False, True])
 @pytest.mark.parametrize("every", [False, True])
 def test_of_few_nodes_in_order_it_is_foreseen_how_many_are_asked(
-    every: bool, measured: bool
+    every: bool, measured: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    # Along lines, that is: nodes at several orientations together are asked somewhat more.
+    monkeypatch.setattr("mechanics.orientations.FEW", 0)
     question, condition = few_orientations(every, measured)
     shares = met_in_order(question)
     condition.asked = 0

@@ -7,14 +7,16 @@ import numpy as np
 import pytest
 
 from mechanics.arrays import Bytes, Floats
+from mechanics.conditions.actuator_limits import ActuatorLimits
 from mechanics.conditions.condition import Condition
+from mechanics.conditions.pressure_angle import PressureAngle
 from mechanics.conditions.reach import Reach
 from mechanics.grid import Axis, Grid
 from mechanics.legs import CRANK, Leg, gather
 from mechanics.mechanism import Mechanism
 from mechanics.motions import PLANAR
 from mechanics.orientations import Orientations, Question, scan_orientations
-from mechanics.workspace import Scan, ranks_of
+from mechanics.workspace import Scan, ranks_of, scan
 from tests.mechanics.test_sweeps import SPATIAL, conditions_of, limited, turned
 from tests.oracles.draws import DRAWS
 
@@ -64,12 +66,18 @@ def one_by_one(
         found = scan_orientations(question, 0, grid.size)
         rows.append(dense(found))
     codes, free = (np.array(column) for column in zip(*rows, strict=True))
+    return put_together(codes, conditions, every=every)[0], free.mean(axis=0)
+
+
+def put_together(codes: Bytes, conditions: list[Condition], *, every: bool) -> tuple[Bytes, Floats]:
+    """Return the codes of nodes, and shares inside, from codes, shape (orientations, nodes)."""
+    free = np.mean(codes == 0, axis=0)
     if every:
         worst = np.where(codes == 0, 255, codes).min(axis=0)
-        return np.where(worst == 255, 0, worst).astype(np.uint8), free.mean(axis=0)
+        return np.where(worst == 255, 0, worst).astype(np.uint8), free
     ranks = ranks_of(conditions)[codes]
     farthest = np.where(ranks == ranks.max(axis=0), codes, 255).min(axis=0)
-    return farthest.astype(np.uint8), free.mean(axis=0)
+    return farthest.astype(np.uint8), free
 
 
 @pytest.mark.parametrize("every", [False, True])
@@ -95,6 +103,41 @@ def test_orientations_together_say_what_each_alone_says(
             np.testing.assert_allclose(sizes[inside], free[inside], rtol=1e-13)
     # A whole turn breaks the first stop nearly everywhere.
     assert every or np.unique(expected).size > 1
+
+
+@pytest.mark.parametrize("few", [0, 100, 10_000])
+@pytest.mark.parametrize("every", [False, True])
+@pytest.mark.parametrize("name", ["gough_stewart", "hexa_rotary", "planar_3rrr"])
+def test_orientations_in_order_say_what_poses_say(
+    name: str, every: bool, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Along lines one after the other, few nodes several together, or first one, then the other."""
+    monkeypatch.setattr("mechanics.orientations.FEW", few)
+    random = np.random.default_rng(23)
+    draw = DRAWS[name](random)
+    poses = random.uniform(draw.least, draw.most, (200, draw.least.size)).T.copy()
+    mechanism = limited(draw, poses)
+    conditions: list[Condition] = [Reach(mechanism), ActuatorLimits(mechanism)]
+    conditions.append(PressureAngle(mechanism, 0.7))
+    motion, middle = mechanism.motion, 0.5 * (draw.least + draw.most)
+    grid = positions_of(draw.least, draw.most)
+    count = len(motion.translations)
+    grid = Grid(grid.axes[:count], grid.columns[:count], middle)
+    turns = tuple(Axis(name, -0.3, 0.3, 0.2) for name in motion.turns)
+    turned = Grid(turns, tuple(motion.coordinates.index(name) for name in motion.turns), middle)
+    for measured in (False, True):
+        around = Orientations(turned, None, 1.0)
+        question = Question(mechanism, conditions, grid, around, every, measured)
+        codes, sizes = dense(scan_orientations(question, 0, grid.size))
+        each = [
+            dense(scan(mechanism, conditions, at, {}, 0, grid.size, by_lines=False))[0]
+            for at in map(question.turned, range(turned.size))
+        ]
+        expected, free = put_together(np.array(each), conditions, every=every)
+        assert np.array_equal(codes, expected)
+        if measured:
+            np.testing.assert_allclose(sizes[codes == 0], free[codes == 0], rtol=1e-13)
+    assert np.unique(expected).size > 1
 
 
 @pytest.mark.parametrize("every", [False, True])
