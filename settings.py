@@ -29,7 +29,7 @@ class Settings(BaseSettings):
 
     processes: int = Field(default=2, ge=1, description="Worker processes of one engine.")
     concurrent_jobs: int = Field(default=8, ge=1, description="Jobs one engine interleaves.")
-    tile_seconds: float = Field(default=1.0, gt=0, description="Longest computing of one tile. [s]")
+    tile_seconds: float = Field(default=1.0, gt=0, description="A tile, as foreseen, at most. [s]")
     tile_timeout_seconds: float = Field(
         default=120.0, gt=0, description="A tile is killed after this. [s]"
     )

@@ -68,7 +68,7 @@ class Workspace(Analysis[WorkspaceRequest]):
         return axes_of(request)[-1].count
 
     def seconds_per_item(self, request: WorkspaceRequest) -> float:
-        """Return the cost of a node that meets every condition. [s]"""
+        """Return the mean cost of a node. [s]"""
         return seconds_per_node(request, set_up(request))
 
     def plan(self, request: WorkspaceRequest, tile_seconds: float) -> Plan:
