@@ -30,7 +30,8 @@ from mechanics.orientations import scan_orientations
 from mechanics.unions import union
 from mechanics.workspace import Scan, reason_codes, scan
 from schemas.quantities import Model
-from schemas.workspace import (
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import (
     Bounds,
     Component,
     Excluded,
@@ -38,7 +39,6 @@ from schemas.workspace import (
     InscribedBall,
     InscribedBox,
     Measure,
-    WorkspaceRequest,
     WorkspaceResult,
 )
 

@@ -10,7 +10,7 @@ from analyses.workspace_setup import WorkspaceSetup
 from mechanics.arrays import Floats
 from mechanics.histograms import histogram as counted
 from mechanics.kernels.codes import INSIDE
-from schemas.workspace import FieldSummary, Histogram
+from schemas.workspace_result import FieldSummary, Histogram
 
 
 @dataclass

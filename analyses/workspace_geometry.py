@@ -9,7 +9,8 @@ from mechanics.errors import GeometryError, NotOfferedError
 from mechanics.geometry import boxes, outlines, shells
 from mechanics.geometry.leg_regions import leg_shells
 from mechanics.legs import STRUT
-from schemas.workspace import Arc, Bounds, Measure, WorkspaceRequest
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import Arc, Bounds, Measure
 
 ROUNDING = 1e-12
 """How far off an area of arcs may be, as a share of the legs' own regions."""

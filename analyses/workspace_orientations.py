@@ -13,7 +13,8 @@ from mechanics.motions import Motion
 from mechanics.orientations import Orientations
 from mechanics.sweeps import swept
 from mechanics.turns import Turn
-from schemas.workspace import OrientationAxis, OrientationsTried, WorkspaceRequest
+from schemas.workspace import OrientationAxis, WorkspaceRequest
+from schemas.workspace_result import OrientationsTried
 
 WHOLE = ("maximal", "full")
 EVERY = ("orientation_range", "full")

@@ -19,7 +19,8 @@ from schemas.inverse_kinematics import (
 from schemas.mechanisms import InlineMechanism, StoredMechanism
 from schemas.singularity import SingularityRequest, SingularityResult
 from schemas.velocity import VelocityRequest, VelocityResult
-from schemas.workspace import WorkspaceRequest, WorkspaceResult
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import WorkspaceResult
 
 Request = (
     InverseKinematicsRequest

@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 import analyses
 from schemas.analyses import parse_request
-from schemas.workspace import WorkspaceRequest, WorkspaceResult
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import WorkspaceResult
 
 LEAST = 0.2
 DELTA: dict[str, Any] = {

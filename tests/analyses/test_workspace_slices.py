@@ -12,7 +12,8 @@ import analyses
 from analyses.errors import AnalysisError
 from schemas.analyses import parse_request
 from schemas.starters import STARTERS
-from schemas.workspace import WorkspaceRequest, WorkspaceResult
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import WorkspaceResult
 
 HEXAPOD = {"x": 0.05, "y": -0.1, "z": 0.5, "rx": 0.1, "ry": -0.2, "rz": 0.3}
 AXES = {

@@ -16,7 +16,7 @@ from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.regions import Region
 from mechanics.workspace import scan
-from schemas.workspace import WorkspaceResult
+from schemas.workspace_result import WorkspaceResult
 from tests.oracles import planar
 
 NODES = 160_725

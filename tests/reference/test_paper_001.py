@@ -20,7 +20,8 @@ from mechanics.loads import Load
 from mechanics.mechanism import Mechanism
 from mechanics.workspace import Scan, scan
 from schemas.presets import PRESETS
-from schemas.workspace import WorkspaceRequest, WorkspaceResult
+from schemas.workspace import WorkspaceRequest
+from schemas.workspace_result import WorkspaceResult
 from tests.oracles import planar
 
 SWITCH = math.asin(0.005 / math.hypot(0.05, 0.05))
