@@ -33,6 +33,8 @@ def inverse_of_struts() -> None:
     compare(name, ours, POSES, "six roots, by coordinate", lambda: rivals.roots(poses, roots))
     compare(name, ours, POSES, "six roots, by pose", lambda: rivals.roots(rows, roots_by_pose))
     numpy = partial(rivals.strut_lengths, rows, base, platform)
+    ours()
+    np.testing.assert_allclose(lengths.T, numpy(), rtol=1e-12)
     compare(name, ours, POSES, "NumPy, blocks of 4096", numpy)
     inverse = rivals.basic_robotics_inverse(base, platform)
     asked = rivals.transformations(rows[:200])
